@@ -1,0 +1,3 @@
+"""bvhgrade: grades one C++ file that builds and traverses a bounding volume hierarchy."""
+
+__version__ = "0.1.0"

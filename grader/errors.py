@@ -1,0 +1,41 @@
+"""Which faults are ours, and never a student's.
+
+GraderError                      shown as one sentence; exit status 3
+|-- UsageError                   the call was wrong: a path, an option, a rubric; exit status 2
+|-- MissingTool                  a compiler, a package or a variant is not installed
+|-- BuildFault                   our own framework or reference did not build
+|-- WorkerFault                  the process around a submission failed for our own reason
+|-- OracleFault                  two of our own witnesses disagree, or a reference is stale
+`-- OutputFault                  a result could not be written
+
+A student's fault is a value (`Rejected`, `Build`, `Stop`, `Finding`), so no `except` in this
+code base can turn one into the other.
+"""
+
+
+class GraderError(Exception):
+    """Our own fault; the message says what was tried, on what, and what to do."""
+
+
+class UsageError(GraderError):
+    """The caller asked for something that does not exist or cannot be read."""
+
+
+class MissingTool(GraderError):
+    """A program or package that the grader needs is not installed."""
+
+
+class BuildFault(GraderError):
+    """The framework or the reference, both ours, did not compile."""
+
+
+class WorkerFault(GraderError):
+    """A worker could not be started or fed; the submission has not been judged."""
+
+
+class OracleFault(GraderError):
+    """Our own references contradict each other or do not belong to this scene."""
+
+
+class OutputFault(GraderError):
+    """A result could not be written where it was asked for."""

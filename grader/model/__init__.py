@@ -1,0 +1,1 @@
+"""Which records flow from one stage to the next: frozen data, no logic."""

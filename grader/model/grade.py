@@ -1,0 +1,146 @@
+"""What a whole grade is: the record that every report is written from."""
+
+from dataclasses import dataclass
+
+from grader.model.stages import Build, Rejected, Stop, Submission
+from grader.model.verdict import Example, Verdict
+
+
+@dataclass(frozen=True, slots=True)
+class Criterion:
+    """What one check is worth: a row of the rubric."""
+
+    check: str
+    part: str
+    points: float
+    gate: bool
+    """If no case passes, the whole part earns nothing."""
+
+    visibility: str
+    """`visible`, `hidden` or `after_due_date`."""
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """How much one worker may use."""
+
+    small_seconds: float
+    """Wall time of a worker on meshes below 20,000 faces."""
+
+    large_seconds: float
+    """Wall time of a worker on larger meshes and of pictures."""
+
+    total_seconds: float
+    """Wall time of all workers of one submission together."""
+
+    memory_mib: int
+    output_kib: int
+    """How much of the printed output is kept."""
+
+    source_kib: int
+    """Largest source file that is accepted."""
+
+
+@dataclass(frozen=True, slots=True)
+class Rubric:
+    """Points, visibility, limits and readings; the only place with points."""
+
+    criteria: tuple[Criterion, ...]
+    titles: tuple[tuple[str, str], ...]
+    """Part id and title: `("a", "BVH construction")`."""
+
+    limits: Limits
+    leaf_rule: str
+    """`sheet` or `full-levels`."""
+
+    sha256: str
+
+
+@dataclass(frozen=True, slots=True)
+class CheckScore:
+    """One check over all its cases, with what it earned."""
+
+    check: str
+    part: str
+    title: str
+    verdict: Verdict
+    score: float
+    max_score: float
+    visibility: str
+    examined: int
+    """How many single things were looked at, over all cases."""
+
+    wrong: int
+    message: str
+    expected: str
+    got: str
+    hint: str
+    examples: tuple[Example, ...]
+    blocked_by: str | None
+    stop: Stop
+    line: int
+    """Line of the student's file that the evidence points at; 0 if none."""
+
+    cases: tuple[tuple[str, Verdict], ...]
+    seconds: float
+
+
+@dataclass(frozen=True, slots=True)
+class PartScore:
+    """One part of the exercise."""
+
+    part: str
+    title: str
+    score: float
+    max_score: float
+    started: bool
+    """False if the part still does what the unedited starter does."""
+
+
+@dataclass(frozen=True, slots=True)
+class Provenance:
+    """Everything that makes two results comparable."""
+
+    grader: str
+    rubric_sha256: str
+    scenes_sha256: str
+    seed: int
+    compiler: str
+    flags: tuple[str, ...]
+    isolation: str
+    """Name of the level that was proved; `none` says that the run was not isolated."""
+
+    cpu: str
+
+
+@dataclass(frozen=True, slots=True)
+class Timing:
+    """Where the time went, wall seconds."""
+
+    compile: float
+    submission: float
+    """Sum of the workers' wall time."""
+
+    grader: float
+    total: float
+    stages: tuple[tuple[str, float], ...]
+    """Name and wall seconds of each stage of the pipeline."""
+
+
+@dataclass(frozen=True, slots=True)
+class Grade:
+    """The result of one submission."""
+
+    submission: Submission | Rejected
+    build: Build | None
+    """None if there was nothing to build."""
+
+    parts: tuple[PartScore, ...]
+    checks: tuple[CheckScore, ...]
+    score: float | None
+    """None if withheld because some check is BROKEN."""
+
+    max_score: float
+    needs_review: bool
+    provenance: Provenance
+    timing: Timing

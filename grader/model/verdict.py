@@ -1,0 +1,52 @@
+"""What a check concludes."""
+
+from dataclasses import dataclass
+from enum import Enum
+
+from grader.model.stages import Stop
+
+
+class Verdict(Enum):
+    """Only PASS and FAIL move points; BROKEN is always our own fault."""
+
+    PASS = "pass"
+    FAIL = "fail"
+    BLOCKED = "blocked"
+    BROKEN = "broken"
+
+
+@dataclass(frozen=True, slots=True)
+class Example:
+    """One place where a submission is wrong: where, what is there, what was expected."""
+
+    message: str
+    """`node 5: box is ..., but its triangles span ...`; numbers by `{:.9g}`."""
+
+    expected: str = ""
+    got: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Evidence:
+    """What a check counted in one case; `examined == 0` can never be a pass."""
+
+    examined: int
+    wrong: int
+    examples: tuple[Example, ...] = ()
+    """At most three."""
+
+    stop: Stop = Stop.FINISHED
+    line: int = 0
+    """Line of the student's file that the evidence points at; 0 if none."""
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """One check's verdict on one case."""
+
+    check: str
+    case: str
+    verdict: Verdict
+    evidence: Evidence
+    reason: str = ""
+    """Of BLOCKED the blocking check, of BROKEN what went wrong on our side."""
