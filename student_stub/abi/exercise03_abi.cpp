@@ -27,10 +27,18 @@ static_assert(std::endian::native == std::endian::little);
 namespace ex03 {
 namespace {
 
-Mesh& unwrap(ex03_mesh* mesh) { return *reinterpret_cast<Mesh*>(mesh); }
-const Mesh& unwrap(const ex03_mesh* mesh) { return *reinterpret_cast<const Mesh*>(mesh); }
-BVH& unwrap(ex03_bvh* bvh) { return *reinterpret_cast<BVH*>(bvh); }
-const BVH& unwrap(const ex03_bvh* bvh) { return *reinterpret_cast<const BVH*>(bvh); }
+Mesh& unwrap(ex03_mesh* mesh) {
+    return *reinterpret_cast<Mesh*>(mesh);
+}
+const Mesh& unwrap(const ex03_mesh* mesh) {
+    return *reinterpret_cast<const Mesh*>(mesh);
+}
+BVH& unwrap(ex03_bvh* bvh) {
+    return *reinterpret_cast<BVH*>(bvh);
+}
+const BVH& unwrap(const ex03_bvh* bvh) {
+    return *reinterpret_cast<const BVH*>(bvh);
+}
 
 /// How a call into the submission ended. Fixed size: reporting must not need memory.
 struct Outcome {
@@ -143,7 +151,9 @@ void traceTogether(std::vector<Tracer>& tracers, const Mesh& mesh, const ex03_ba
 
 using namespace ex03;
 
-uint32_t ex03_abi_version(void) { return 1; }
+uint32_t ex03_abi_version(void) {
+    return 1;
+}
 
 uint64_t ex03_size_of(uint32_t what) {
     constexpr std::array<uint64_t, 5> sizes{sizeof(Point3D), sizeof(TriangleIndices),
@@ -151,9 +161,13 @@ uint64_t ex03_size_of(uint32_t what) {
     return what < sizes.size() ? sizes[what] : 0;
 }
 
-uint32_t ex03_max_depth(void) { return BVH::maxDepth; }
+uint32_t ex03_max_depth(void) {
+    return BVH::maxDepth;
+}
 
-uint32_t ex03_faces_per_leaf(void) { return BVH::numFacesPerLeaf; }
+uint32_t ex03_faces_per_leaf(void) {
+    return BVH::numFacesPerLeaf;
+}
 
 ex03_mesh* ex03_mesh_create(const float* vertices, uint64_t vertex_count, const uint32_t* faces,
                             uint64_t face_count) {
@@ -165,7 +179,9 @@ ex03_mesh* ex03_mesh_create(const float* vertices, uint64_t vertex_count, const 
     return reinterpret_cast<ex03_mesh*>(mesh);
 }
 
-void ex03_mesh_destroy(ex03_mesh* mesh) { delete reinterpret_cast<Mesh*>(mesh); }
+void ex03_mesh_destroy(ex03_mesh* mesh) {
+    delete reinterpret_cast<Mesh*>(mesh);
+}
 
 ex03_bvh* ex03_mesh_bvh(ex03_mesh* mesh) {
     return reinterpret_cast<ex03_bvh*>(&Access::bvh(unwrap(mesh)));
@@ -179,15 +195,21 @@ uint64_t ex03_copy_faces(const ex03_mesh* mesh, uint32_t* out, uint64_t capacity
     return copyOut(unwrap(mesh).getFaces(), out, capacity);
 }
 
-ex03_bvh* ex03_bvh_create(void) { return reinterpret_cast<ex03_bvh*>(new (std::nothrow) BVH); }
+ex03_bvh* ex03_bvh_create(void) {
+    return reinterpret_cast<ex03_bvh*>(new (std::nothrow) BVH);
+}
 
-void ex03_bvh_destroy(ex03_bvh* bvh) { delete reinterpret_cast<BVH*>(bvh); }
+void ex03_bvh_destroy(ex03_bvh* bvh) {
+    delete reinterpret_cast<BVH*>(bvh);
+}
 
 int32_t ex03_construct(ex03_bvh* bvh, const ex03_mesh* mesh) {
     return report(guarded([&] { unwrap(bvh).construct(unwrap(mesh)); }));
 }
 
-const void* ex03_nodes(const ex03_bvh* bvh) { return unwrap(bvh).getNodes().data(); }
+const void* ex03_nodes(const ex03_bvh* bvh) {
+    return unwrap(bvh).getNodes().data();
+}
 
 const uint32_t* ex03_face_indices(const ex03_bvh* bvh) {
     return Access::faceIndices(unwrap(bvh)).data();
@@ -234,7 +256,9 @@ void ex03_read_counters(uint64_t out[2]) {
     out[1] = counters.triangles;
 }
 
-void ex03_reset_counters(void) { counters = {}; }
+void ex03_reset_counters(void) {
+    counters = {};
+}
 
 uint64_t ex03_last_error(char* out, uint64_t capacity) {
     const auto& text = lastFailure.text;

@@ -11,10 +11,16 @@ struct AABB {
     Point3D max{-infinity, -infinity, -infinity};
 
     /// Grows the box just enough to contain `point`.
-    void extend(const Point3D& point);
+    void extend(const Point3D& point) {
+        min = ::min(min, point);
+        max = ::max(max, point);
+    }
 
     /// Grows the box just enough to contain `other`. An empty `other` changes nothing.
-    void extend(const AABB& other);
+    void extend(const AABB& other) {
+        min = ::min(min, other.min);
+        max = ::max(max, other.max);
+    }
 
     /// Side lengths along x, y and z. Negative infinity on each axis if the box is empty.
     Vector3D extents() const;

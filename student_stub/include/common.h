@@ -25,4 +25,6 @@ constexpr float epsilon = 1e-5f;
 /// The smallest power of two that is not below `value`: 0 and 1 give 1, 5 gives 8.
 ///
 /// `value` may be at most 2^31, because the next power does not fit into 32 bits.
-constexpr uint32_t roundUpPowerOfTwo(uint32_t value) { return std::bit_ceil(value); }
+constexpr uint32_t roundUpPowerOfTwo(uint32_t value) {
+    return std::bit_ceil(value);
+}

@@ -38,17 +38,21 @@ struct Point3D {
     /// Index of the largest component; the first of them if several are equal.
     uint8_t maxDimension() const { return x >= y && x >= z ? 0 : y >= z ? 1 : 2; }
 
-    float maxComponent() const { return std::max(x, std::max(y, z)); }
-    float minComponent() const { return std::min(x, std::min(y, z)); }
+    float maxComponent() const { return std::max({x, y, z}); }
+    float minComponent() const { return std::min({x, y, z}); }
 };
 
 using Vector3D = Point3D;
 using Normal3D = Point3D;
 using Vertex = Point3D;
 
-inline Point3D operator*(float s, const Point3D& a) { return a * s; }
+inline Point3D operator*(float s, const Point3D& a) {
+    return a * s;
+}
 
-inline float dot(const Vector3D& a, const Vector3D& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline float dot(const Vector3D& a, const Vector3D& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 
 /// Perpendicular to both; its length is the area of the parallelogram between them.
 inline Vector3D cross(const Vector3D& a, const Vector3D& b) {

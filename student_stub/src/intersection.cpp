@@ -51,9 +51,8 @@ Intersection intersect(const Triangle& triangle, const IntersectionRay& ray) {
     }
     const Point3D point = ray.origin + ray.direction * t;
     const Vector3D fromV1 = point - triangle.v1;
-    const bool inside =
-        dot(normal, cross(triangle.v1v2, fromV1)) >= 0 &&
-        dot(normal, cross(triangle.v3 - triangle.v2, point - triangle.v2)) >= 0 &&
-        dot(normal, cross(fromV1, triangle.v1v3)) >= 0;
+    const bool inside = dot(normal, cross(triangle.v1v2, fromV1)) >= 0 &&
+                        dot(normal, cross(triangle.v3 - triangle.v2, point - triangle.v2)) >= 0 &&
+                        dot(normal, cross(fromV1, triangle.v1v3)) >= 0;
     return inside ? Intersection{point, t, normal.normalized()} : Intersection{};
 }
