@@ -1,0 +1,31 @@
+"""What can be typed after `bvhgrade`; each command imports what it needs only when it runs."""
+
+import os
+import sys
+
+import click
+
+from grader import __version__
+from grader.cli.grading import check, grade
+from grader.cli.installation import doctor, schema
+from grader.cli.scenes import scenes
+from grader.cli.status import INTERRUPTED, GraderGroup
+
+
+@click.group(cls=GraderGroup, context_settings={"help_option_names": ["-h", "--help"]})
+@click.version_option(__version__, prog_name="bvhgrade")
+def cli() -> None:
+    """Grade a BVH exercise in C++: one file, two functions, 50 points."""
+
+
+for command in (check, grade, scenes, doctor, schema):
+    cli.add_command(command)
+
+
+def main() -> None:
+    """Run the command line and leave with the exit status that the contract names."""
+    try:
+        cli(prog_name="bvhgrade")
+    except KeyboardInterrupt:
+        sys.stdout = open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115, PTH123 - nothing more is said
+        sys.exit(INTERRUPTED)

@@ -1,0 +1,187 @@
+"""The commands that grade: `check` for a student's own file, `grade` for somebody else's."""
+
+import shlex
+from dataclasses import dataclass
+from pathlib import Path
+
+import click
+from click.exceptions import Exit
+
+from grader.cli.output import RESULT, ready, write_whole
+from grader.cli.progress import shown_progress
+from grader.cli.status import FULL_MARKS, LOST_POINTS, OUR_FAULT
+from grader.errors import UsageError
+from grader.model.grade import Grade
+from grader.model.verdict import Verdict
+from grader.report.text import one_line
+
+SEED = 41
+OUTPUT = "bvhgrade-out"
+USUAL_PLACES = ("src/exercise03.cpp", "student_stub/src/exercise03.cpp")
+
+
+@dataclass(frozen=True, slots=True)
+class Order:
+    """What is to be graded, and how."""
+
+    path: Path
+    seed: int
+    rubric: Path | None
+    only: tuple[str, ...]
+    """Ids of the checks to run; empty for all."""
+
+
+submission_type = click.Path(exists=True, path_type=Path)
+seed_option = click.option(
+    "--seed",
+    type=click.IntRange(0, 2**32 - 1),
+    default=SEED,
+    show_default=True,
+    help="Meshes and rays are drawn from it.",
+)
+rubric_option = click.option(
+    "--rubric",
+    type=click.Path(exists=True, dir_okay=False, path_type=Path),
+    help="Points and limits instead of the built-in ones.",
+)
+
+
+@click.command()
+@click.argument("submission", type=submission_type, required=False)
+@click.option("--only", multiple=True, metavar="CHECK", help="Run this check; repeatable.")
+@seed_option
+@rubric_option
+def check(submission: Path | None, only: tuple[str, ...], seed: int, rubric: Path | None) -> None:
+    """Grade your own code and explain what is wrong.
+
+    SUBMISSION is a .cpp file, a folder or an archive that holds one exercise03.cpp. Without it,
+    src/exercise03.cpp or student_stub/src/exercise03.cpp is taken.
+
+    Exit status: 0 full marks, 1 points were lost, 2 wrong usage, 3 the grader failed.
+    """
+    order = Order(submission or usual_place(), seed, rubric, only)
+    folder = own_folder()
+    result = graded(order)
+    written = stored(folder, result)
+    report(result, order, written, tell_hidden=False)
+    raise Exit(status_of_check(result))
+
+
+@click.command()
+@click.argument("submission", type=submission_type)
+@click.option(
+    "-o",
+    "--output",
+    type=click.Path(path_type=Path),
+    default=OUTPUT,
+    show_default=True,
+    metavar="DIR",
+    help="Folder for the result; created if needed.",
+)
+@click.option(
+    "--format",
+    type=click.Choice(["json"]),
+    multiple=True,
+    expose_value=False,
+    help="What to write, repeatable; result.json always is.",
+)
+@seed_option
+@rubric_option
+@click.option("--quiet", is_flag=True, help="Print the points only.")
+def grade(submission: Path, output: Path, seed: int, rubric: Path | None, quiet: bool) -> None:
+    """Grade one submission and write result.json.
+
+    SUBMISSION is a .cpp file, a folder or an archive that holds one exercise03.cpp.
+
+    Exit status: 0 a grade was produced, 2 wrong usage, 3 the grader failed.
+    """
+    order = Order(submission, seed, rubric, ())
+    folder = ready(output)
+    result = graded(order)
+    written = stored(folder, result)
+    if quiet:
+        click.echo(points_only(result))
+    else:
+        report(result, order, written, tell_hidden=True)
+    raise Exit(OUR_FAULT if is_withheld(result) else FULL_MARKS)
+
+
+def usual_place() -> Path:
+    """Find the student's file from where the command was typed.
+
+    Raises:
+        UsageError: It is at none of the usual places.
+    """
+    for place in USUAL_PLACES:
+        if Path(place).is_file():
+            return Path(place)
+    places = " nor ".join(USUAL_PLACES)
+    raise UsageError(f"neither {places} exists here; name the file: bvhgrade check FILE")
+
+
+def own_folder() -> Path:
+    """Choose where a student's own result goes: here, or the cache if nothing may be written."""
+    try:
+        return ready(Path(OUTPUT))
+    except UsageError:
+        from grader.resources import cache_folder
+
+        return ready(cache_folder() / OUTPUT)
+
+
+def graded(order: Order) -> Grade:
+    """Run the pipeline with a bar that shows how far it is."""
+    from grader.pipeline import Options, grade_one
+
+    with shown_progress() as progress:
+        options = Options(order.seed, order.rubric, order.only, progress)
+        return grade_one(order.path, options)
+
+
+def stored(folder: Path, result: Grade) -> Path:
+    """Write result.json and say where it lies."""
+    from grader.report.as_json import to_text
+
+    path = folder / RESULT
+    write_whole(path, to_text(result))
+    return path
+
+
+def report(result: Grade, order: Order, written: Path, tell_hidden: bool) -> None:
+    """Print what people read."""
+    from rich.console import Console
+
+    from grader.report.failure import Occasion
+    from grader.report.terminal import print_grade
+
+    console = Console()
+    print_grade(console, result, Occasion(repetition(order), written, tell_hidden))
+
+
+def repetition(order: Order) -> str:
+    """Word the call that grades the same again, ready to be pasted into a shell."""
+    words = ["bvhgrade", "check", str(order.path), "--seed", str(order.seed)]
+    if order.rubric is not None:
+        words += ["--rubric", str(order.rubric)]
+    return one_line(shlex.join(words))
+
+
+def points_only(result: Grade) -> str:
+    """Word the points in one line."""
+    name = one_line(result.submission.student)
+    if is_withheld(result):
+        return f"{name}: withheld of {result.max_score:g}"
+    return f"{name}: {result.score:g} of {result.max_score:g}"
+
+
+def is_withheld(result: Grade) -> bool:
+    """Nobody knows the score, because the grader itself failed somewhere."""
+    return result.needs_review or result.score is None
+
+
+def status_of_check(result: Grade) -> int:
+    """Tell full marks, lost points and our own fault apart."""
+    if is_withheld(result):
+        return OUR_FAULT
+    lost = any(score.verdict is not Verdict.PASS for score in result.checks)
+    return LOST_POINTS if lost or not result.checks else FULL_MARKS

@@ -1,0 +1,50 @@
+"""Where results go: a folder that is tried before grading starts, files that are whole or absent."""
+
+import secrets
+from contextlib import suppress
+from pathlib import Path
+
+from grader.errors import OutputFault, UsageError
+
+RESULT = "result.json"
+
+
+def ready(folder: Path) -> Path:
+    """Create an output folder and prove that a result can be written into it.
+
+    Raises:
+        UsageError: It cannot be, so grading need not start.
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        if (folder / RESULT).is_dir():
+            raise UsageError(f"{folder / RESULT} is a folder, but the result goes there.")
+        trial = folder / f".{RESULT}-{secrets.token_hex(8)}"
+        trial.touch(exist_ok=False)
+        trial.unlink()
+    except OSError as fault:
+        reason = fault.strerror or "it cannot be written"
+        raise UsageError(
+            f"{folder}: {reason}, but the result goes there; name another folder with -o."
+        ) from fault
+    return folder
+
+
+def write_whole(path: Path, text: str) -> None:
+    """Write a file so that a reader sees the old one or the new one, never a part.
+
+    Raises:
+        OutputFault: It could not be written; what was there before is untouched.
+    """
+    unfinished = path.with_name(f".{path.name}-{secrets.token_hex(8)}")
+    try:
+        with unfinished.open("x", encoding="utf-8", newline="\n") as file:
+            file.write(text)
+        unfinished.replace(path)
+    except OSError as fault:
+        raise OutputFault(
+            f"{path} could not be written: {fault.strerror}; grade again into another folder."
+        ) from fault
+    finally:
+        with suppress(OSError):
+            unfinished.unlink()

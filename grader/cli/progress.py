@@ -1,0 +1,36 @@
+"""How a long grading shows that it is alive: one transient line, and only in a terminal."""
+
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+from grader.report.text import one_line
+
+Progress = Callable[[str, int, int], None]
+
+
+@contextmanager
+def shown_progress() -> Iterator[Progress]:
+    """Yield a callback that moves a bar on standard error, or does nothing in a pipe."""
+    if not sys.stderr.isatty():
+        yield silent
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, Progress as Bars, TextColumn, TimeElapsedColumn
+
+    columns = (
+        TextColumn("{task.description}", markup=False),
+        BarColumn(bar_width=24),
+        TimeElapsedColumn(),
+    )
+    with Bars(*columns, console=Console(stderr=True), transient=True) as bars:
+        task = bars.add_task("starting", total=None)
+
+        def move(stage: str, done: int, total: int) -> None:
+            bars.update(task, description=one_line(stage), completed=done, total=total or None)
+
+        yield move
+
+
+def silent(stage: str, done: int, total: int) -> None:
+    """Show nothing."""

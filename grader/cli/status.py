@@ -1,0 +1,72 @@
+"""Which exit status a command ends with, and what is said when it cannot do its work.
+
+0 a grade was produced, or full marks in `check`; 1 `check` lost points; 2 wrong usage; 3 our
+own fault; 130 interrupted. No traceback is ever shown: it is kept in a file, which is named.
+"""
+
+import os
+import tempfile
+import traceback
+from pathlib import Path
+from typing import Any, NoReturn
+
+import click
+
+from grader.errors import GraderError, UsageError
+from grader.report.text import printable
+
+FULL_MARKS = 0
+LOST_POINTS = 1
+WRONG_USAGE = 2
+OUR_FAULT = 3
+INTERRUPTED = 130
+
+
+class GraderGroup(click.Group):
+    """A group whose commands may raise anything and still end with the right status."""
+
+    def invoke(self, ctx: click.Context) -> Any:  # noqa: ANN401 - click's own signature
+        """Run the command; turn what it raises into one sentence and a status."""
+        try:
+            return super().invoke(ctx)
+        except (click.ClickException, click.exceptions.Exit, BrokenPipeError):
+            raise
+        except (KeyboardInterrupt, click.Abort):
+            stop(ctx, "interrupted; no result was changed", INTERRUPTED)
+        except UsageError as fault:
+            stop(ctx, str(fault), WRONG_USAGE)
+        except GraderError as fault:
+            stop(ctx, f"{fault}\nNothing is concluded about the submission.", OUR_FAULT)
+        except Exception as fault:  # noqa: BLE001 - the outermost place: it must not reach a student
+            stop(ctx, surprise(fault), OUR_FAULT)
+
+
+def stop(ctx: click.Context, sentence: str, status: int) -> NoReturn:
+    """Say why on standard error and leave."""
+    click.echo(f"bvhgrade: {printable(sentence)}", err=True)
+    ctx.exit(status)
+
+
+def surprise(fault: Exception) -> str:
+    """Word a fault that nobody foresaw, and keep its traceback in a file."""
+    kind = type(fault).__name__
+    text = "".join(traceback.format_exception(fault))
+    return (
+        f"the grader itself failed ({kind}); nothing is concluded about the submission.\n"
+        f"What a maintainer needs is in {kept(text)}"
+    )
+
+
+def kept(text: str) -> Path:
+    """Write a traceback into the cache folder, or into a temporary one if that fails too."""
+    try:
+        from grader.resources import cache_folder
+
+        folder = cache_folder() / "faults"
+        folder.mkdir(mode=0o700, exist_ok=True)
+    except (GraderError, OSError):
+        folder = Path(tempfile.gettempdir())
+    handle, name = tempfile.mkstemp(prefix="fault-", suffix=".txt", dir=folder)
+    with os.fdopen(handle, "w", encoding="utf-8", errors="backslashreplace") as file:
+        file.write(text)
+    return Path(name)

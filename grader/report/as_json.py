@@ -1,0 +1,185 @@
+"""How a grade becomes `result.json`, schema version 1: the file every other format is made from.
+
+Two gradings of one submission with one seed may differ only inside `timing` and in
+`provenance.cpu`. Measured seconds therefore stand in `timing` alone; `seconds` of a check and of
+the build are part of the shape and always null.
+"""
+
+import json
+import math
+from importlib.resources import files
+from typing import Any
+
+from grader.errors import OutputFault
+from grader.model.grade import CheckScore, Grade, Timing
+from grader.model.stages import Build, Diagnostic, Rejected, Submission
+from grader.model.verdict import Example
+from grader.report.facts import FILE, place, unstarted, withheld
+from grader.report.text import one_line, printable
+
+Json = dict[str, Any]
+
+SCHEMA_VERSION = 1
+
+
+def schema_text() -> str:
+    """Read the JSON Schema that every result fulfils."""
+    return files("grader.report").joinpath("result.schema.json").read_text(encoding="utf-8")
+
+
+def to_text(grade: Grade) -> str:
+    """Write a grade as the text of `result.json`."""
+    return json.dumps(to_json(grade), indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def to_json(grade: Grade) -> Json:
+    """Turn a grade into the values of `result.json`, keys in the contract's order."""
+    unknown = withheld(grade)
+    review = grade.needs_review or grade.score is None or bool(unknown)
+    unsure = {score.part for score in grade.checks if score.check in unknown}
+    return {
+        "schema": SCHEMA_VERSION,
+        "submission": submission(grade.submission),
+        "score": None if review or grade.score is None else number(grade.score),
+        "max_score": number(grade.max_score),
+        "needs_review": review,
+        "parts": [
+            {
+                "id": part.part,
+                "title": one_line(part.title),
+                "score": None if part.part in unsure else number(part.score),
+                "max_score": number(part.max_score),
+            }
+            for part in grade.parts
+        ],
+        "checks": [one_check(grade, score, score.check in unknown) for score in grade.checks],
+        "build": build(grade),
+        "timing": timing(grade.timing, grade.checks),
+        "provenance": provenance(grade),
+    }
+
+
+def submission(given: Submission | Rejected) -> Json:
+    """Say whose file it was; a rejected one has no file."""
+    if isinstance(given, Rejected):
+        return {"name": one_line(given.student), "sha256": None, "path": None}
+    name, path = one_line(given.student), one_line(given.path)
+    return {"name": name, "sha256": given.sha256, "path": path}
+
+
+def one_check(grade: Grade, score: CheckScore, unknown: bool) -> Json:
+    """Write one check."""
+    return {
+        "id": score.check,
+        "part": score.part,
+        "title": one_line(score.title),
+        "verdict": score.verdict.value,
+        "score": None if unknown else number(score.score),
+        "max_score": number(score.max_score),
+        "visibility": score.visibility,
+        "examined": score.examined,
+        "wrong": score.wrong,
+        "message": message(grade, score),
+        "expected": printable(score.expected),
+        "got": printable(score.got),
+        "hint": printable(score.hint),
+        "examples": [example(one) for one in score.examples],
+        "blocked_by": score.blocked_by,
+        "stop": score.stop.value,
+        "location": location(grade, score),
+        "counterexample": None,
+        "seconds": None,
+    }
+
+
+def message(grade: Grade, score: CheckScore) -> str:
+    """Say what happened; in a part that was not started, say only that."""
+    idle = unstarted(grade).get(score.part)
+    if idle is not None and score.verdict.value in ("fail", "blocked"):
+        return idle
+    return printable(score.message)
+
+
+def example(given: Example) -> Json:
+    """Write one wrong place."""
+    return {
+        "message": printable(given.message),
+        "expected": printable(given.expected),
+        "got": printable(given.got),
+    }
+
+
+def location(grade: Grade, score: CheckScore) -> Json | None:
+    """Say where to look, or null."""
+    found = place(grade, score)
+    if found is None:
+        return None
+    return {"file": FILE, "line": found.line, "function": one_line(found.function)}
+
+
+def build(grade: Grade) -> Json:
+    """Say whether it compiled and what the compiler said, or why nothing was compiled."""
+    made = grade.build
+    if isinstance(grade.submission, Rejected):
+        said = [diagnostic(Diagnostic(0, 0, "error", grade.submission.reason))]
+        return {"ok": False, "diagnostics": said, "seconds": None}
+    said = [] if made is None else [diagnostic(one) for one in made.diagnostics]
+    return {"ok": compiled(made), "diagnostics": said, "seconds": None}
+
+
+def compiled(made: Build | None) -> bool:
+    """There is a library to run."""
+    return made is not None and made.library is not None
+
+
+def diagnostic(given: Diagnostic) -> Json:
+    """Write one message of the compiler."""
+    return {
+        "line": given.line,
+        "column": given.column,
+        "severity": given.severity,
+        "text": printable(given.text),
+    }
+
+
+def timing(given: Timing, checks: tuple[CheckScore, ...]) -> Json:
+    """Write every measured time; nothing outside of this object is a time."""
+    return {
+        "compile": seconds(given.compile),
+        "submission": seconds(given.submission),
+        "grader": seconds(given.grader),
+        "total": seconds(given.total),
+        "stages": {name: seconds(spent) for name, spent in given.stages},
+        "checks": {score.check: seconds(score.seconds) for score in checks},
+    }
+
+
+def provenance(grade: Grade) -> Json:
+    """Write everything that makes two results comparable."""
+    given = grade.provenance
+    return {
+        "grader": given.grader,
+        "rubric_sha256": given.rubric_sha256,
+        "scenes_sha256": given.scenes_sha256,
+        "seed": given.seed,
+        "compiler": one_line(given.compiler),
+        "flags": [one_line(flag) for flag in given.flags],
+        "isolation": given.isolation,
+        "cpu": one_line(given.cpu),
+    }
+
+
+def number(value: float) -> int | float:
+    """Write a whole number without a fraction.
+
+    Raises:
+        OutputFault: The value is not finite, so our own arithmetic went wrong.
+    """
+    if not math.isfinite(value):
+        raise OutputFault(f"A result holds the number {value}, which JSON cannot carry.")
+    return int(value) if value == int(value) else value
+
+
+def seconds(value: float) -> int | float:
+    """Round a time to milliseconds."""
+    return number(round(value, 3))

@@ -1,0 +1,103 @@
+"""What every format says about a grade, decided once: withheld or not, where to look, what first."""
+
+import re
+from dataclasses import dataclass
+
+from grader.model.grade import CheckScore, Grade, PartScore
+from grader.model.stages import Rejected
+from grader.model.verdict import Verdict
+
+FILE = "src/exercise03.cpp"
+"""Name of the student's file in every message, wherever it really lies."""
+
+FUNCTIONS = {"a": "BVH::construct", "b": "intersect"}
+"""The function that each part asks for."""
+
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Where in the student's file a failed check points."""
+
+    line: int | None
+    """1-based; None if not even the function's first line is known."""
+
+    function: str
+    exact: bool
+    """True if it is the statement's line, False if only the function's first."""
+
+
+def withheld(grade: Grade) -> frozenset[str]:
+    """Name the checks whose points nobody knows: BROKEN, or blocked by one that is withheld."""
+    names = {score.check for score in grade.checks if score.verdict is Verdict.BROKEN}
+    blocked = [score for score in grade.checks if score.verdict is Verdict.BLOCKED]
+    for _ in blocked:
+        names |= {score.check for score in blocked if score.blocked_by in names}
+    return frozenset(names)
+
+
+def not_started(part: PartScore) -> str:
+    """Say that a part still is the given code."""
+    function = FUNCTIONS.get(part.part, "the function")
+    return f"Part {part.part} is not started: the given code of {function} is unchanged."
+
+
+def unstarted(grade: Grade) -> dict[str, str]:
+    """Map each part that was not started to the sentence that says so."""
+    if isinstance(grade.submission, Rejected) or grade.build is None:
+        return {}
+    if grade.build.library is None:
+        return {}
+    return {part.part: not_started(part) for part in grade.parts if not part.started}
+
+
+def place(grade: Grade, score: CheckScore) -> Place | None:
+    """Find where a failed check points, or None if there is nothing to look at."""
+    if score.verdict is not Verdict.FAIL or grade.build is None:
+        return None
+    wanted = FUNCTIONS.get(score.part)
+    known = [] if grade.build.calls is None else list(grade.build.calls.lines)
+    named = sorted((line, plain_name(mangled)) for mangled, line in known)
+    if score.line > 0:
+        around = [name for line, name in named if line <= score.line and name]
+        return Place(score.line, around[-1] if around else (wanted or ""), exact=True)
+    if wanted is None:
+        return None
+    starts = [line for line, name in named if name == wanted]
+    return Place(starts[0] if starts else None, wanted, exact=False)
+
+
+def plain_name(mangled: str) -> str:
+    """Read `BVH::construct` out of a mangled name; empty if it is of a rarer form.
+
+    Source: Itanium C++ ABI, 5.1 (nested names and identifiers with their length before them).
+    """
+    if found := re.match(r"_ZN[KVr]*", mangled):
+        return "::".join(identifiers(mangled, found.end()))
+    if found := re.match(r"_ZL?", mangled):
+        return "::".join(identifiers(mangled, found.end())[:1])
+    return ""
+
+
+def identifiers(mangled: str, start: int) -> list[str]:
+    """Read identifiers with their length before them until something else comes."""
+    names: list[str] = []
+    while found := re.compile(r"L?(\d{1,3})").match(mangled, start):
+        start = found.end() + int(found[1])
+        names.append(mangled[found.end() : start])
+    return [name for name in names if not name.startswith("_GLOBAL__N")]
+
+
+def worst(grade: Grade) -> CheckScore | None:
+    """Choose the failure that costs most, what it blocks included; None if nothing failed."""
+    idle = unstarted(grade)
+    lost = {score.check: score.max_score - score.score for score in grade.checks}
+    for score in grade.checks:
+        if score.blocked_by in lost:
+            lost[score.blocked_by] += score.max_score - score.score
+    failed = [
+        score
+        for score in grade.checks
+        if score.verdict is Verdict.FAIL and score.part not in idle
+    ]
+    return max(failed, key=lambda score: lost[score.check], default=None)

@@ -1,0 +1,124 @@
+"""How one failed check is explained in a terminal: from what happened to how to run it again."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from rich.text import Text
+
+from grader.model.grade import CheckScore, Grade
+from grader.model.stages import Rejected
+from grader.model.verdict import Verdict
+from grader.report.facts import FILE, place
+from grader.report.sheet import STYLES, Sheet
+from grader.report.text import one_line, printable
+
+EXCERPT = 3
+"""Lines of source that are shown, the marked one last."""
+
+SHOWN_ERRORS = 3
+
+
+@dataclass(frozen=True, slots=True)
+class Occasion:
+    """How a report came to be printed; nothing in it comes from the submission."""
+
+    command: str
+    """The call, ready to be pasted, to which `--only CHECK` may be added; empty if none fits."""
+
+    written: Path | None = None
+    """Where `result.json` lies."""
+
+    tell_hidden: bool = True
+    """Show checks that the rubric hides from students."""
+
+
+def points(score: float, possible: float) -> str:
+    """Write points as people do: `4 of 5`, `2.25 of 3`."""
+    return f"{score:g} of {possible:g}"
+
+
+def explain(sheet: Sheet, grade: Grade, score: CheckScore, occasion: Occasion) -> None:
+    """Write the whole block of one failed check."""
+    headline(sheet, score)
+    happened = printable(score.message)
+    if happened:
+        sheet.beside("", happened)
+    if score.wrong and score.examined:
+        sheet.beside("", f"{score.wrong:,} of {score.examined:,} looked at are wrong.", "dim")
+    for label, told in examples(score, happened):
+        sheet.beside(label, told)
+    if score.expected:
+        sheet.beside("expected", score.expected, "green")
+    if score.got:
+        sheet.beside("got", score.got, "red")
+    look_at(sheet, grade, score)
+    if score.hint:
+        sheet.beside("hint", score.hint, "cyan")
+    if occasion.command:
+        sheet.command("again", f"{occasion.command} --only {score.check}")
+
+
+def headline(sheet: Sheet, score: CheckScore) -> None:
+    """Write verdict word and statement, and the points on the right or below."""
+    style = STYLES[score.verdict]
+    word = "" if sheet.glyphs.mark(Verdict.FAIL).strip() == "FAIL" else f" {score.verdict.value}"
+    mark = Text(sheet.glyphs.mark(score.verdict) + word + "  ", style)
+    worth = f"{points(score.score, score.max_score)} points" if score.max_score else "gate"
+    room = sheet.width - mark.cell_len
+    lines = sheet.wrapped(one_line(score.title), room)
+    fits = Text(lines[-1]).cell_len + len(worth) + 2 <= room
+    for number, line in enumerate(lines):
+        left = mark.copy() if number == 0 else Text(" " * mark.cell_len)
+        left.append(line, "bold")
+        last = number == len(lines) - 1
+        sheet.spread(left, Text(worth if last and fits else "", "dim"))
+    sheet.beside("check", score.check if fits else f"{score.check}, {worth}", "dim")
+
+
+def examples(score: CheckScore, happened: str) -> list[tuple[str, str]]:
+    """Choose what the message did not say yet, with a label before the first."""
+    told = [one.message for one in score.examples if printable(one.message) not in happened]
+    labels = ["example"] + [""] * len(told)
+    return list(zip(labels, told, strict=False))
+
+
+def look_at(sheet: Sheet, grade: Grade, score: CheckScore) -> None:
+    """Name file, line and function, with the source around a statement that is known."""
+    found = place(grade, score)
+    if found is None:
+        return
+    line = "" if found.line is None else f":{found.line}"
+    sheet.beside("look at", f"{FILE}{line} in {found.function or 'this file'}")
+    if found.exact and found.line is not None:
+        excerpt(sheet, grade, found.line)
+
+
+def excerpt(sheet: Sheet, grade: Grade, line: int) -> None:
+    """Show the student's own lines up to the one that is meant."""
+    source = source_lines(grade)
+    for number in range(max(1, line - EXCERPT + 1), line + 1):
+        if number <= len(source):
+            sheet.source(number, source[number - 1], marked=number == line)
+
+
+def source_lines(grade: Grade) -> list[str]:
+    """Split the student's file as the compiler counts lines."""
+    if isinstance(grade.submission, Rejected):
+        return []
+    text = grade.submission.source.decode("utf-8", "replace").removeprefix("\ufeff")
+    return text.replace("\r\n", "\n").split("\n")
+
+
+def compile_errors(sheet: Sheet, grade: Grade) -> None:
+    """Show the first errors with the student's line numbers, and count the others."""
+    said = () if grade.build is None else grade.build.diagnostics
+    errors = [one for one in said if one.severity == "error"]
+    for one in errors[:SHOWN_ERRORS]:
+        column = f":{one.column}" if one.column else ""
+        where = f"{FILE}:{one.line}{column}: " if one.line else ""
+        sheet.beside("error", where + printable(one.text))
+        if one.line:
+            excerpt(sheet, grade, one.line)
+    if len(errors) > SHOWN_ERRORS:
+        rest = len(errors) - SHOWN_ERRORS
+        sheet.beside("", f"and {rest} more, perhaps only consequences of these.", "dim")

@@ -1,0 +1,152 @@
+"""How a grade is told in a terminal: score, parts, one line a check, the worst failure in full."""
+
+from rich.console import Console
+from rich.text import Text
+
+from grader.model.grade import CheckScore, Grade, PartScore
+from grader.model.stages import Rejected
+from grader.model.verdict import Verdict
+from grader.report.facts import unstarted, withheld, worst
+from grader.report.failure import Occasion, compile_errors, explain, points
+from grader.report.sheet import STYLES, Sheet
+from grader.report.text import one_line
+
+STATEMENT_MIN = 24
+"""Columns below which a cut statement says less than the check's name alone."""
+
+
+def print_grade(console: Console, grade: Grade, occasion: Occasion) -> None:
+    """Print the whole report; width, colours and encoding are the console's."""
+    sheet = Sheet(console)
+    header(sheet, grade)
+    if isinstance(grade.submission, Rejected):
+        sheet.blank()
+        rejected(sheet, grade.submission)
+    elif grade.build is not None and grade.build.library is None:
+        sheet.blank()
+        uncompiled(sheet, grade)
+    else:
+        every_part(sheet, grade, occasion)
+        every_fault(sheet, grade)
+        worst_failure(sheet, grade, occasion)
+    sheet.blank()
+    footer(sheet, grade, occasion)
+    sheet.show()
+
+
+def header(sheet: Sheet, grade: Grade) -> None:
+    """Name the submission and its score, and draw the score."""
+    given = grade.submission
+    name = Text(one_line(given.student), "bold")
+    if not isinstance(given, Rejected) and one_line(given.path) != one_line(given.student):
+        name.append(f"  {one_line(given.path)}", "dim")
+    if grade.score is None or grade.needs_review:
+        sheet.spread(name, Text("score withheld", "bold magenta"))
+        return
+    share = grade.score / grade.max_score if grade.max_score else 0.0
+    style = "bold green" if share >= 1 else "bold yellow" if share > 0 else "bold red"
+    sheet.spread(name, Text(f"{points(grade.score, grade.max_score)} points", style))
+    full = int(share * sheet.width)
+    bar = Text(sheet.glyphs.full * full, style)
+    sheet.lines.append(bar.append(sheet.glyphs.empty * (sheet.width - full), "dim"))
+
+
+def rejected(sheet: Sheet, given: Rejected) -> None:
+    """Say why nothing could be graded."""
+    sign = sheet.glyphs.mark(Verdict.FAIL)
+    sheet.lines.append(Text.assemble((f"{sign} ", "red"), ("There is no file to grade", "bold")))
+    sheet.beside("", given.reason)
+
+
+def uncompiled(sheet: Sheet, grade: Grade) -> None:
+    """Show what the compiler said, and that everything else hangs on it."""
+    sign = sheet.glyphs.mark(Verdict.FAIL)
+    statement = ("exercise03.cpp does not compile", "bold")
+    sheet.lines.append(Text.assemble((f"{sign} ", "red"), statement))
+    compile_errors(sheet, grade)
+    sheet.blank()
+    waiting = sum(score.verdict is Verdict.BLOCKED for score in grade.checks)
+    if waiting:
+        sheet.say(f"{waiting} checks wait until it compiles.", "dim")
+
+
+def every_part(sheet: Sheet, grade: Grade, occasion: Occasion) -> None:
+    """Write each part with its checks, and before them those that belong to no part."""
+    idle, unknown = unstarted(grade), withheld(grade)
+    known = {part.part for part in grade.parts}
+    shared = [score for score in grade.checks if score.part not in known]
+    if shared:
+        sheet.blank()
+    for score in shared:
+        check_line(sheet, score, occasion)
+    for part in grade.parts:
+        scores = [score for score in grade.checks if score.part == part.part]
+        if not scores:
+            continue
+        sheet.blank()
+        part_line(sheet, part, any(score.check in unknown for score in scores))
+        if part.part in idle:
+            sheet.say(idle[part.part], "yellow", indent=2)
+            continue
+        for score in scores:
+            check_line(sheet, score, occasion)
+
+
+def part_line(sheet: Sheet, part: PartScore, unknown: bool) -> None:
+    """Write a part's title and points."""
+    worth = "withheld" if unknown else points(part.score, part.max_score)
+    title = Text.assemble((f"{part.part})  ", "bold"), (one_line(part.title), "bold"))
+    sheet.spread(title, Text(worth, "bold"))
+
+
+def check_line(sheet: Sheet, score: CheckScore, occasion: Occasion) -> None:
+    """Write one check on one line: sign, name, as much of the statement as fits, points."""
+    if score.visibility != "visible" and not occasion.tell_hidden:
+        line = Text("  ").append(f"{score.check} is hidden by the rubric", "dim")
+        sheet.spread(line, Text())
+        return
+    sign = sheet.glyphs.mark(score.verdict)
+    line = Text.assemble("  ", (f"{sign} ", STYLES[score.verdict]), score.check)
+    worth = Text(points(score.score, score.max_score) if score.max_score else "gate", "dim")
+    remark = one_line(score.title)
+    if score.verdict is Verdict.BLOCKED and score.blocked_by:
+        remark = f"waits for {score.blocked_by}"
+    if sheet.width - line.cell_len - worth.cell_len - 4 >= STATEMENT_MIN:
+        line.append(f"  {remark}", "dim")
+    sheet.spread(line, worth)
+
+
+def every_fault(sheet: Sheet, grade: Grade) -> None:
+    """Name our own faults, which never cost points."""
+    broken = [score for score in grade.checks if score.verdict is Verdict.BROKEN]
+    if not broken and not grade.needs_review:
+        return
+    sheet.blank()
+    sheet.say("The grader itself failed here; nothing is concluded about the submission:", "magenta")
+    for score in broken:
+        sheet.beside("", f"{score.check}: {score.message}")
+
+
+def worst_failure(sheet: Sheet, grade: Grade, occasion: Occasion) -> None:
+    """Explain the failure that costs most."""
+    score = worst(grade)
+    if score is None or (score.visibility != "visible" and not occasion.tell_hidden):
+        return
+    sheet.blank()
+    explain(sheet, grade, score, occasion)
+
+
+def footer(sheet: Sheet, grade: Grade, occasion: Occasion) -> None:
+    """Say whether it was isolated, where the result lies and where the time went."""
+    if grade.provenance.isolation == "none":
+        sheet.say(
+            "This run was not isolated: the submission could do what you can do.", "yellow"
+        )
+    if occasion.written is not None:
+        sheet.lines.append(Text("result  ", "dim").append(one_line(str(occasion.written))))
+    spent = grade.timing
+    sheet.say(
+        f"{spent.total:.1f} s: compiling {spent.compile:.1f}, submission "
+        f"{spent.submission:.1f}, grader {spent.grader:.1f}",
+        "dim",
+    )
