@@ -1,0 +1,1 @@
+"""Which one source file is in what a student handed in?"""

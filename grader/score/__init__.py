@@ -1,0 +1,1 @@
+"""What are the findings worth, by which rubric?"""

@@ -1,0 +1,119 @@
+"""Which rubric applies, and is every line of it one that we understand?
+
+Strict on purpose: a misspelt key that is silently ignored would move points of a whole class.
+"""
+
+import hashlib
+import tomllib
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+from grader.errors import UsageError
+from grader.model.grade import Criterion, Limits, Rubric
+from grader.model.stages import PARTS
+from grader.score.table import Table
+
+SHIPPED = Path(__file__).with_name("rubric.toml")
+"""The rubric of the exercise sheet; it also says which checks exist and of which part each is."""
+
+BOTH = "both"
+"""Part of a gate that stands before both parts."""
+
+VISIBILITIES = ("visible", "hidden", "after_due_date")
+LEAF_RULES = ("sheet", "full-levels")
+_LARGEST_FILE = 2**20
+
+
+def load_rubric(path: Path | None = None) -> Rubric:
+    """Read a rubric and reject whatever is not understood.
+
+    Args:
+        path: A TOML file; None takes the one that is shipped.
+
+    Raises:
+        UsageError: With the file, the place in it, what is there and what was expected.
+    """
+    shipped = _criteria(_read(SHIPPED)[0], None)
+    if path is None:
+        path = SHIPPED
+    root, sha256 = _read(path)
+    root.only("reading", "limits", "part", "criterion")
+    reading = root.table("reading")
+    reading.only("leaf_rule")
+    return Rubric(
+        criteria=_criteria(root, {one.check: one for one in shipped}),
+        titles=_titles(root),
+        limits=_limits(root.table("limits")),
+        leaf_rule=reading.choice("leaf_rule", LEAF_RULES),
+        sha256=sha256,
+    )
+
+
+def _read(path: Path) -> tuple[Table, str]:
+    try:
+        with path.open("rb") as file:
+            content = file.read(_LARGEST_FILE + 1)
+        if len(content) > _LARGEST_FILE:
+            raise UsageError(f"{path}: more than 1 MiB, but a rubric is a short TOML file")
+        values: dict[str, Any] = tomllib.loads(content.decode("utf-8"))
+    except OSError as fault:
+        raise UsageError(f"{path}: {fault.strerror}, but a rubric is expected there") from fault
+    except (UnicodeDecodeError, RecursionError) as fault:
+        raise UsageError(f"{path}: not a text in UTF-8, but a rubric is TOML") from fault
+    except ValueError as fault:
+        raise UsageError(f"{path}: not valid TOML: {fault}") from fault
+    return Table(str(path), values), hashlib.sha256(content).hexdigest()
+
+
+def _titles(root: Table) -> tuple[tuple[str, str], ...]:
+    titles: dict[str, str] = {}
+    for part in root.tables("part"):
+        part.only("id", "title")
+        name = part.choice("id", PARTS)
+        if name in titles:
+            raise part.fault("id", f'"{name}" again', "each part once")
+        titles[name] = part.text("title")
+    for name in PARTS:
+        if name not in titles:
+            raise root.fault("part", f'none with id = "{name}"', "one [[part]] for each part")
+    return tuple((name, titles[name]) for name in PARTS)
+
+
+def _limits(table: Table) -> Limits:
+    seconds = ("small_seconds", "large_seconds", "total_seconds")
+    sizes = ("memory_mib", "output_kib", "source_kib")
+    table.only(*seconds, *sizes)
+    small, large, total = (table.number(name, least=0.1, most=86_400) for name in seconds)
+    memory, output, source = (table.whole(name, least=1, most=2**20) for name in sizes)
+    return Limits(small, large, total, memory, output, source)
+
+
+def _criteria(root: Table, shipped: dict[str, Criterion] | None) -> tuple[Criterion, ...]:
+    found: dict[str, Criterion] = {}
+    for table in root.tables("criterion"):
+        one = _criterion(table, shipped)
+        if one.check in found:
+            raise table.fault("check", f'"{one.check}" again', "each check at most once")
+        found[one.check] = one
+    return tuple(found.values())
+
+
+def _criterion(table: Table, shipped: dict[str, Criterion] | None) -> Criterion:
+    table.only("check", "part", "points", "gate", "visibility")
+    known: Iterable[str] | None = shipped
+    check = table.text("check") if known is None else table.choice("check", known)
+    parts = (*PARTS, BOTH) if shipped is None else (shipped[check].part,)
+    part = table.choice("part", parts)
+    points = table.number("points", least=0, most=1000)
+    if part == BOTH and points:
+        raise table.fault(
+            "points", f"{points:g}", f'0, because "{check}" stands before both parts'
+        )
+    return Criterion(
+        check=check,
+        part=part,
+        points=points,
+        gate=table.flag("gate", absent=False),
+        visibility=table.choice("visibility", VISIBILITIES, absent="visible"),
+    )

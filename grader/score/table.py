@@ -1,0 +1,107 @@
+"""How a value is taken out of a TOML table, or refused with where, what and what instead."""
+
+import difflib
+from collections.abc import Iterable
+from typing import Any
+
+from grader.errors import UsageError
+
+
+class Table:
+    """A TOML table that knows where it stands."""
+
+    def __init__(self, where: str, values: dict[str, Any]) -> None:
+        self._where = where
+        self._values = values
+
+    def fault(self, key: str, found: str, expected: str) -> UsageError:
+        """Word what is wrong with a key."""
+        return UsageError(f"{self._where}: {key} is {found}, but expected is {expected}")
+
+    def only(self, *known: str) -> None:
+        """Refuse keys that nobody reads."""
+        for key in self._values:
+            if key not in known:
+                raise UsageError(
+                    f"{self._where}: unknown key `{key}`, but expected are {', '.join(known)}"
+                    + _nearest(key, known)
+                )
+
+    def table(self, key: str) -> "Table":
+        """A table that must be there."""
+        value = self._taken(key, dict, f"a table [{key}]")
+        return Table(f"{self._where}: [{key}]", value)
+
+    def tables(self, key: str) -> list["Table"]:
+        """An array of tables; each knows its number, and its check if it has one."""
+        values = self._taken(key, list, f"tables [[{key}]]")
+        made: list[Table] = []
+        for number, value in enumerate(values, start=1):
+            if not isinstance(value, dict):
+                raise self.fault(key, _shown(value), f"tables [[{key}]]")
+            name = f" ({value['check']})" if isinstance(value.get("check"), str) else ""
+            made.append(Table(f"{self._where}: [[{key}]] number {number}{name}", value))
+        return made
+
+    def text(self, key: str) -> str:
+        """A string that is not empty."""
+        value: str = self._taken(key, str, "a text")
+        if not value.strip():
+            raise self.fault(key, "empty", "a text")
+        return value
+
+    def choice(self, key: str, known: Iterable[str], absent: str | None = None) -> str:
+        """One of the known words; a wrong one is told the nearest."""
+        if absent is not None and key not in self._values:
+            return absent
+        known = tuple(known)
+        value: str = self._taken(key, str, "a text")
+        if value not in known:
+            few = (
+                " or ".join(f'"{word}"' for word in known)
+                if len(known) <= 4
+                else "a known name"
+            )
+            raise self.fault(key, f'"{value}"', few + _nearest(value, known))
+        return value
+
+    def flag(self, key: str, *, absent: bool) -> bool:
+        """True or false."""
+        if key not in self._values:
+            return absent
+        value: bool = self._taken(key, bool, "true or false")
+        return value
+
+    def number(self, key: str, least: float, most: float) -> float:
+        """A finite number in a range."""
+        expected = f"a number from {least:g} to {most:g}"
+        value = self._taken(key, (int, float), expected)
+        if isinstance(value, bool) or not least <= value <= most:
+            raise self.fault(key, _shown(value), expected)
+        return float(value)
+
+    def whole(self, key: str, least: int, most: int) -> int:
+        """A whole number in a range."""
+        expected = f"a whole number from {least} to {most}"
+        value = self._taken(key, int, expected)
+        if isinstance(value, bool) or not least <= value <= most:
+            raise self.fault(key, _shown(value), expected)
+        return int(value)
+
+    def _taken(self, key: str, kind: type | tuple[type, ...], expected: str) -> Any:  # noqa: ANN401 - whatever TOML holds
+        if key not in self._values:
+            raise self.fault(key, "missing", expected)
+        value = self._values[key]
+        if not isinstance(value, kind):
+            raise self.fault(key, _shown(value), expected)
+        return value
+
+
+def _shown(value: object) -> str:
+    text = f'"{value}"' if isinstance(value, str) else str(value)
+    return text if len(text) <= 60 else text[:59] + "…"
+
+
+def _nearest(word: str, known: Iterable[str]) -> str:
+    close = difflib.get_close_matches(word, list(known), n=1, cutoff=0.5)
+    return f'; did you mean "{close[0]}"?' if close else ""
