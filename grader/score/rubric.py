@@ -15,7 +15,7 @@ from grader.model.stages import PARTS
 from grader.score.table import Table
 
 SHIPPED = Path(__file__).with_name("rubric.toml")
-"""The rubric of the exercise sheet; it also says which checks exist and of which part each is."""
+"""The exercise sheet's rubric; it also says which checks exist and of which part each is."""
 
 BOTH = "both"
 """Part of a gate that stands before both parts."""

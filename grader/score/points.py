@@ -1,0 +1,208 @@
+"""How many points does each check and each part earn, and what is the student told?
+
+Theory of operation: a criterion earns points x passed / max(examined, planned / 2), rounded
+down to quarters. A gate that passes nowhere takes the points of its part, and the gate of both
+parts those of both. Our own fault counts in the student's favour here, and `final_score`
+withholds the sum, so that nobody mistakes it for a grade.
+"""
+
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import islice
+
+from grader.model.grade import CheckScore, Criterion, PartScore, Rubric
+from grader.model.stages import Stop
+from grader.model.verdict import Example, Finding, Verdict
+from grader.score.rubric import BOTH
+from grader.score.tally import Tally, by_place, points, tally
+
+SURVIVAL = {"a": "bvh.survives-every-mesh", "b": "hits.survives-every-ray"}
+"""The check of each part that says whose workers died."""
+
+_MAX_EXAMPLES = 3
+
+
+@dataclass(frozen=True, slots=True)
+class _Outcome:
+    verdict: Verdict
+    message: str = ""
+    blocked_by: str | None = None
+
+
+def score_checks(
+    rubric: Rubric,
+    checks: Sequence[tuple[str, str]],
+    findings: Sequence[Finding],
+    planned: Mapping[str, int],
+    started: Collection[str],
+) -> tuple[CheckScore, ...]:
+    """Give every check of the rubric its points and its words, in the order of `checks`.
+
+    Args:
+        rubric: What each check is worth; a check that it leaves out is left out here.
+        checks: Id and title of every check there is.
+        findings: One of each check and case.
+        planned: Per check, how many cases a right submission gives it to examine.
+        started: The parts that no longer are the given code.
+    """
+    placed = by_place(findings)
+    tallies = {
+        id: tally((one for one in findings if one.check == id), placed, planned.get(id, 0))
+        for id, _ in checks
+    }
+    worth = {criterion.check: criterion for criterion in rubric.criteria}
+    scores = tuple(
+        _scored(worth[id], title, tallies[id], _died(worth[id].part, tallies))
+        for id, title in checks
+        if id in worth
+    )
+    return _behind_gates(_idle(scores, started), rubric.criteria, tallies)
+
+
+def score_parts(
+    rubric: Rubric, checks: Sequence[CheckScore], started: Collection[str]
+) -> tuple[PartScore, ...]:
+    """Add up the checks of each part."""
+    return tuple(
+        PartScore(
+            part=part,
+            title=title,
+            score=sum(one.score for one in checks if one.part == part),
+            max_score=sum(one.max_score for one in checks if one.part == part),
+            started=part in started,
+        )
+        for part, title in rubric.titles
+    )
+
+
+def final_score(checks: Iterable[CheckScore]) -> float | None:
+    """The sum of the points; None while our own fault leaves a check undecided."""
+    checks = tuple(checks)
+    if any(one.verdict is Verdict.BROKEN for one in checks):
+        return None
+    return sum(one.score for one in checks)
+
+
+def _scored(criterion: Criterion, title: str, of: Tally, died: str | None) -> CheckScore:
+    outcome = _outcome(of, died)
+    first = of.failed[0] if of.failed else None
+    examples = tuple(islice(_examples(of.failed), _MAX_EXAMPLES))
+    shown = examples[0] if examples else Example("")
+    counted = (*of.passed, *of.failed)
+    every = (*of.passed, *of.failed, *(one for one, _ in of.blocked), *of.undecided)
+    return CheckScore(
+        check=criterion.check,
+        part=criterion.part,
+        title=title,
+        verdict=outcome.verdict,
+        score=points(criterion.points, of.share),
+        max_score=criterion.points,
+        visibility=criterion.visibility,
+        examined=sum(one.evidence.examined for one in counted),
+        wrong=sum(one.evidence.wrong for one in of.failed),
+        message=outcome.message,
+        expected=shown.expected,
+        got=shown.got,
+        hint="",
+        examples=examples,
+        blocked_by=outcome.blocked_by,
+        stop=first.evidence.stop if first else Stop.FINISHED,
+        line=first.evidence.line if first else 0,
+        cases=tuple((one.case, one.verdict) for one in every),
+        seconds=0.0,
+    )
+
+
+def _outcome(of: Tally, died: str | None) -> _Outcome:
+    """Decide the verdict over all cases; a check that examined nothing does not pass."""
+    if of.undecided:
+        first = of.undecided[0]
+        return _Outcome(Verdict.BROKEN, f"`{first.case}`: {first.reason or 'undecided'}")
+    if of.failed:
+        return _Outcome(Verdict.FAIL, _told(of))
+    if of.blocked:
+        finding, cause = of.blocked[0]
+        return _Outcome(
+            Verdict.BLOCKED,
+            f"could not be decided in {len(of.blocked)} of {of.examined} cases, first in "
+            f"`{finding.case}`, because `{cause}` fails there",
+            cause,
+        )
+    if not of.passed or 2 * of.examined < of.planned:
+        return _too_little(of, died)
+    return _Outcome(Verdict.PASS)
+
+
+def _too_little(of: Tally, died: str | None) -> _Outcome:
+    """Say why fewer than half of the planned cases were examined; only here can that be us."""
+    if died:
+        return _Outcome(
+            Verdict.BLOCKED,
+            f"only {of.examined} of {of.planned} cases could be examined, because of `{died}`",
+            died,
+        )
+    if of.empty:
+        return _Outcome(
+            Verdict.FAIL,
+            f"nothing to examine in {len(of.empty)} of {of.planned} cases, first in "
+            f"`{of.empty[0].case}`, where a right submission gives this check something to see",
+        )
+    return _Outcome(
+        Verdict.BROKEN, f"only {of.examined} of {of.planned} cases reached this check"
+    )
+
+
+def _told(of: Tally) -> str:
+    """`2 of 524,287 wrong, first in `cube`: node 5: box is ..., but ...`."""
+    wrong = sum(one.evidence.wrong for one in of.failed)
+    examined = sum(one.evidence.examined for one in (*of.passed, *of.failed))
+    first = of.failed[0]
+    where = f"{wrong:,} of {examined:,} wrong, first in `{first.case}`"
+    examples = first.evidence.examples
+    return f"{where}: {examples[0].message}" if examples else where
+
+
+def _examples(failed: Iterable[Finding]) -> Iterable[Example]:
+    for finding in failed:
+        yield from finding.evidence.examples
+
+
+def _died(part: str, tallies: Mapping[str, Tally]) -> str | None:
+    """The check that says that workers of this part died; None if none did."""
+    survival = SURVIVAL.get(part, "")
+    return survival if survival in tallies and tallies[survival].failed else None
+
+
+def _idle(scores: Sequence[CheckScore], started: Collection[str]) -> tuple[CheckScore, ...]:
+    """Nothing is earned, and nothing is blamed, in a part that still is the given code."""
+    return tuple(
+        score
+        if score.part == BOTH or score.part in started
+        else _worthless(score, "not started: the given code is unchanged", None)
+        for score in scores
+    )
+
+
+def _behind_gates(
+    scores: Sequence[CheckScore], criteria: Iterable[Criterion], tallies: Mapping[str, Tally]
+) -> tuple[CheckScore, ...]:
+    closed: dict[str, str] = {}
+    for gate in (one for one in criteria if one.gate and one.check in tallies):
+        of = tallies[gate.check]
+        if (of.planned or of.failed or of.blocked) and not of.passed and not of.undecided:
+            closed.setdefault(gate.part, gate.check)
+    return tuple(_behind(score, closed.get(BOTH) or closed.get(score.part)) for score in scores)
+
+
+def _behind(score: CheckScore, gate: str | None) -> CheckScore:
+    if gate is None or score.check == gate:
+        return score
+    return _worthless(score, f"earns nothing because `{gate}` fails everywhere", gate)
+
+
+def _worthless(score: CheckScore, message: str, gate: str | None) -> CheckScore:
+    """Take the points; a fault of ours stays visible, and so does a failure behind a gate."""
+    broken = any(verdict is Verdict.BROKEN for _, verdict in score.cases)
+    if broken or (gate is not None and score.verdict is Verdict.FAIL):
+        return replace(score, score=0.0)
+    return replace(score, verdict=Verdict.BLOCKED, score=0.0, message=message, blocked_by=gate)
