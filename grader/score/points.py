@@ -134,22 +134,17 @@ def _outcome(of: Tally, died: str | None) -> _Outcome:
 
 
 def _too_little(of: Tally, died: str | None) -> _Outcome:
-    """Say why fewer than half of the planned cases were examined; only here can that be us."""
+    """Say why less than half of what was planned was examined.
+
+    A submission can bring this about, by dying or by a tree that leaves nothing to look at. It
+    cannot empty our plan.
+    """
+    if not of.planned:
+        return _Outcome(Verdict.BROKEN, "the plan holds no case for this check")
+    few = f"only {of.examined} of {of.planned} cases could be examined"
     if died:
-        return _Outcome(
-            Verdict.BLOCKED,
-            f"only {of.examined} of {of.planned} cases could be examined, because of `{died}`",
-            died,
-        )
-    if of.empty:
-        return _Outcome(
-            Verdict.FAIL,
-            f"nothing to examine in {len(of.empty)} of {of.planned} cases, first in "
-            f"`{of.empty[0].case}`, where a right submission gives this check something to see",
-        )
-    return _Outcome(
-        Verdict.BROKEN, f"only {of.examined} of {of.planned} cases reached this check"
-    )
+        return _Outcome(Verdict.BLOCKED, f"{few}, because `{died}` fails", died)
+    return _Outcome(Verdict.FAIL, f"{few}: the others gave this check nothing to look at")
 
 
 def _told(of: Tally) -> str:

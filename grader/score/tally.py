@@ -1,8 +1,8 @@
 """How did one check fare over all its cases?
 
 A case is examined if it was decided (PASS, FAIL) or blocked by a check that failed there. A
-case whose worker died is not here at all. What our own fault kept from being decided is
-`undecided`.
+case whose worker died is not here at all, nor is one that gave the check nothing to look at.
+What our own fault kept from being decided is `undecided`.
 """
 
 from collections.abc import Iterable, Mapping
@@ -30,9 +30,6 @@ class Tally:
     undecided: tuple[Finding, ...]
     """BROKEN, or blocked by something that did not fail: our own fault."""
 
-    empty: tuple[Finding, ...]
-    """Nothing was examined, so that a pass would mean nothing."""
-
     planned: int
     """How many cases there would be if every worker had survived."""
 
@@ -58,20 +55,16 @@ def tally(own: Iterable[Finding], placed: Placed, planned: int) -> Tally:
     """
     groups: dict[Verdict, list[Finding]] = {verdict: [] for verdict in Verdict}
     blocked: list[tuple[Finding, str]] = []
-    empty: list[Finding] = []
     for finding in own:
         if finding.verdict is Verdict.BLOCKED and (cause := _cause(finding, placed)):
             blocked.append((finding, cause))
-        elif finding.verdict is Verdict.PASS and finding.evidence.examined <= 0:
-            empty.append(finding)
-        else:
+        elif finding.verdict is not Verdict.PASS or finding.evidence.examined > 0:
             groups[finding.verdict].append(finding)
     return Tally(
         passed=tuple(groups[Verdict.PASS]),
         failed=tuple(groups[Verdict.FAIL]),
         blocked=tuple(blocked),
         undecided=(*groups[Verdict.BROKEN], *groups[Verdict.BLOCKED]),
-        empty=tuple(empty),
         planned=planned,
     )
 
