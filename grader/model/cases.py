@@ -14,6 +14,7 @@ from grader.model.trials import (
     RebuildTrial,
     RepeatTrial,
     TraceTrial,
+    Trial,
     WorkTrial,
 )
 
@@ -37,6 +38,15 @@ class SourceCase:
 @dataclass(frozen=True, slots=True)
 class TreeCase:
     """A tree that `construct` built."""
+
+    name: str
+    trial: ConstructTrial
+    bvh: Bvh
+
+
+@dataclass(frozen=True, slots=True)
+class DepthCase:
+    """A tree of a mesh with so many faces that only the depth limit can end it."""
 
     name: str
     trial: ConstructTrial
@@ -121,7 +131,7 @@ class SurvivalCase:
     """How a worker of the graded build ended."""
 
     name: str
-    part: str
+    trial: Trial
     ending: Ending
 
 
@@ -130,7 +140,7 @@ class MemoryCase:
     """How a worker of the sanitized build ended."""
 
     name: str
-    part: str
+    trial: Trial
     ending: Ending
 
 
@@ -138,6 +148,7 @@ Case = (
     BuildCase
     | SourceCase
     | TreeCase
+    | DepthCase
     | RebuildCase
     | HitCase
     | AlteredCase

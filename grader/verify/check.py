@@ -29,11 +29,22 @@ class Check:
     needs: tuple[str, ...]
     """Checks that must not have failed on the same case, else this one is BLOCKED."""
 
+    when: Callable[[Any], bool]
+    """Whether a trial gives a right submission something to examine; others are left out."""
+
     decide: Callable[[Any], Evidence]
 
 
+def always(_: object) -> bool:
+    """Every trial of its kind gives a check something to examine."""
+    return True
+
+
 def check(
-    kind: type[CaseT], id: str, needs: tuple[str, ...] = ()
+    kind: type[CaseT],
+    id: str,
+    needs: tuple[str, ...] = (),
+    when: Callable[[Any], bool] = always,
 ) -> Callable[[Callable[[CaseT], Evidence]], Check]:
     """Turn a function from a case to evidence into a `Check`; registers nothing.
 
@@ -41,11 +52,12 @@ def check(
         kind: The case type that the function takes.
         id: `topic.statement-in-kebab-case`, the statement as it is when it is right.
         needs: Ids of the checks that must hold before this one can be decided.
+        when: Tells of a trial whether it is one for this check.
     """
 
     def declare(decide: Callable[[CaseT], Evidence]) -> Check:
         title = (decide.__doc__ or "").strip().split("\n")[0].rstrip(".")
-        return Check(id=id, kind=kind, title=title, needs=needs, decide=decide)
+        return Check(id=id, kind=kind, title=title, needs=needs, when=when, decide=decide)
 
     return declare
 
@@ -64,6 +76,11 @@ def judged(wrong: Mask, example: Callable[[int], Example], examined: int | None 
         wrong=int(places.size),
         examples=tuple(example(int(place)) for place in places[:MAX_EXAMPLES]),
     )
+
+
+def one(wrong: Example | None) -> Evidence:
+    """Judge a case as a single thing: right, or wrong in one way."""
+    return Evidence(1, 1, (wrong,)) if wrong else Evidence(1, 0)
 
 
 def vector(values: Any) -> str:  # noqa: ANN401 - any sequence of three float32

@@ -3,6 +3,7 @@
 #include "access.h"
 #include "counters.h"
 #include "intersection.h"
+#include "not_written.h"
 
 #include <atomic>
 #include <cstring>
@@ -69,6 +70,8 @@ template <typename Action> Outcome guarded(const Action& action) {
         outcome.fail(EX03_OUT_OF_MEMORY, error.what());
     } catch (const std::length_error& error) {
         outcome.fail(EX03_OUT_OF_MEMORY, error.what());
+    } catch (const NotWritten& error) {
+        outcome.fail(EX03_NOT_WRITTEN, error.what());
     } catch (const std::exception& error) {
         outcome.fail(EX03_THREW, error.what());
     } catch (...) {
@@ -88,7 +91,10 @@ uint64_t copyOut(const std::vector<Item>& items, Out* out, uint64_t capacity) {
 
 template <typename Item> std::vector<Item> copyIn(const void* data, uint64_t count) {
     const auto* first = static_cast<const Item*>(data);
-    return std::vector<Item>(first, first + count);
+    std::vector<Item> items;
+    items.reserve(count); // throws for any count that `first + count` could not express
+    items.assign(first, first + count);
+    return items;
 }
 
 /// Traces the whole batch as thread number `part`, which has its own slice of the results.

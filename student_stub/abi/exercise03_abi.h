@@ -22,8 +22,15 @@ typedef struct ex03_bvh ex03_bvh;
 
 enum { EX03_POINT = 0, EX03_FACE = 1, EX03_NODE = 2, EX03_RAY = 3, EX03_HIT = 4 };
 
-/* What construct and intersect return. NO_THREAD is not the submission's fault. */
-enum { EX03_OK = 0, EX03_THREW = 1, EX03_OUT_OF_MEMORY = 2, EX03_NO_THREAD = 3 };
+/* What construct and intersect return. NO_THREAD is not the submission's fault;
+ * NOT_WRITTEN means that the submission does not define the function. */
+enum {
+    EX03_OK = 0,
+    EX03_THREW = 1,
+    EX03_OUT_OF_MEMORY = 2,
+    EX03_NO_THREAD = 3,
+    EX03_NOT_WRITTEN = 4
+};
 
 uint32_t ex03_abi_version(void);
 /* Bytes of a point, face, node, ray or hit; 0 for anything else. */

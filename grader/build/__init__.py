@@ -1,0 +1,1 @@
+"""How one C++ file becomes a library, or readable compiler messages."""

@@ -1,0 +1,133 @@
+"""How is one submission compiled, linked and read by the compiler's front end?"""
+
+import time
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+
+from grader.build.callgraph import read_llvm, read_vcg
+from grader.build.compiler import Compiler, find_compiler
+from grader.build.diagnostics import SOURCE_NAME, read_diagnostics
+from grader.build.workspace import GRADED, SANITIZED, Flavour, Workspace, workspace
+from grader.errors import BuildFault
+from grader.model.stages import Build, CallGraph, Diagnostic, Submission
+from grader.sandbox.launch import Order, Outcome, launch
+
+COMPILE_SECONDS = 60.0
+LINK_SECONDS = 30.0
+KEPT_OUTPUT = 64 << 10
+PLAIN_MESSAGES = (
+    "-fmax-errors=20",
+    "-fdiagnostics-color=never",
+    "-fno-diagnostics-show-caret",
+)
+
+
+@dataclass(frozen=True, slots=True)
+class _Linked:
+    """One flavour of a submission: a library, or what was wrong with it."""
+
+    library: Path | None
+    diagnostics: tuple[Diagnostic, ...]
+
+
+def compile_submission(submission: Submission, folder: Path) -> Build:
+    """Build the graded and the sanitized library and the call graph of one submission.
+
+    Args:
+        submission: The file to compile.
+        folder: An empty folder of our own, kept as long as the libraries are used.
+
+    Raises:
+        MissingTool: There is no compiler.
+        BuildFault: Our own framework does not compile.
+    """
+    compiler = find_compiler()
+    started = time.monotonic()
+    source = folder / SOURCE_NAME
+    source.parent.mkdir(parents=True)
+    source.write_bytes(submission.source)
+    # The graded build comes last: it takes longest to start being useless if the file is wrong.
+    with ThreadPoolExecutor(2) as pool:
+        frameworks = list(pool.map(lambda f: workspace(compiler, f), (GRADED, SANITIZED)))
+        plain = pool.submit(_link, frameworks[0], folder, GRADED)
+        sanitized = pool.submit(_link, frameworks[1], folder, SANITIZED)
+        graph = pool.submit(_call_graph, compiler, frameworks[0], folder)
+    linked = plain.result()
+    return Build(
+        library=linked.library,
+        sanitized=sanitized.result().library if linked.library else None,
+        calls=graph.result() if linked.library else None,
+        diagnostics=linked.diagnostics,
+        compiler=compiler.title,
+        flags=_flags(frameworks[0]),
+        seconds=time.monotonic() - started,
+    )
+
+
+def compile_reference(submission: Submission, folder: Path) -> Path:
+    """Build the graded library of our own solution.
+
+    Raises:
+        BuildFault: It does not compile.
+    """
+    source = folder / SOURCE_NAME
+    source.parent.mkdir(parents=True)
+    source.write_bytes(submission.source)
+    linked = _link(workspace(find_compiler(), GRADED), folder, GRADED)
+    if linked.library is None:
+        message = f"the reference does not compile: {linked.diagnostics[:3]}"
+        raise BuildFault(message)
+    return linked.library
+
+
+def _flags(framework: Workspace) -> tuple[str, ...]:
+    """Flags that can change what a submission computes: no paths, no warnings."""
+    return tuple(
+        word
+        for word in framework.compile_command[1:]
+        if word.startswith(("-O", "-f", "-std", "-D")) and "/" not in word
+    )
+
+
+def _link(framework: Workspace, folder: Path, flavour: Flavour) -> _Linked:
+    """Compile and link one flavour; whatever goes wrong is the submission's fault."""
+    result = folder / f"{flavour.name}.o"
+    step = [*framework.compile_command, *PLAIN_MESSAGES, "-c", SOURCE_NAME, "-o", str(result)]
+    compiled = launch(Order(step, COMPILE_SECONDS, KEPT_OUTPUT, folder))
+    messages = _messages(compiled, "compiling", COMPILE_SECONDS)
+    if compiled.code != 0:
+        return _Linked(None, messages)
+    library = folder / f"{flavour.name}.so"
+    # The submission's object comes first, so that its functions win over the weak stand-ins.
+    head, *rest = framework.link_command
+    step = [head, str(result), *rest, "-o", str(library)]
+    linked = launch(Order(step, LINK_SECONDS, KEPT_OUTPUT, folder))
+    messages += _messages(linked, "linking", LINK_SECONDS)
+    return _Linked(library if linked.code == 0 else None, messages)
+
+
+def _messages(outcome: Outcome, doing: str, seconds: float) -> tuple[Diagnostic, ...]:
+    """Say why a step failed, even if the compiler itself did not."""
+    found = read_diagnostics(outcome.err)
+    if outcome.code == 0 or any(message.severity == "error" for message in found):
+        return found
+    text = f"{doing} ended with status {outcome.code}"
+    if outcome.timed_out:
+        text = f"{doing} took longer than {seconds:.0f} s"
+    return (*found, Diagnostic(0, 0, "error", text))
+
+
+def _call_graph(compiler: Compiler, framework: Workspace, folder: Path) -> CallGraph | None:
+    """Ask the front end who calls whom; None if it does not get through the file."""
+    plain = [word for word in framework.compile_command if not word.startswith("-O")]
+    gnu = compiler.name == "g++"
+    result = folder / ("graph.s" if gnu else "graph.ll")
+    kind = ["-fcallgraph-info"] if gnu else ["-emit-llvm"]
+    step = [*plain, "-O0", "-w", *kind, "-S", SOURCE_NAME, "-o", str(result)]
+    outcome = launch(Order(step, COMPILE_SECONDS, KEPT_OUTPUT, folder))
+    written = folder / "graph.ci" if gnu else result
+    if outcome.code != 0 or not written.is_file():
+        return None
+    text = written.read_bytes()
+    return read_vcg(text) if gnu else read_llvm(text)

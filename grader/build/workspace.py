@@ -1,0 +1,138 @@
+"""Where the given code is compiled once, so that a submission costs one file.
+
+CMake configures `student_stub` without any submission and builds the framework's objects. The
+commands that compile and link a submission are CMake's own (`compile_commands.json` and the
+Makefile generator's `link.txt`), so a grade cannot drift from what a student builds by hand.
+A workspace is keyed by the content of the stub, the compiler and the options; it is used only
+if its last step, a stamp, was written.
+"""
+
+import fcntl
+import hashlib
+import json
+import shlex
+import shutil
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+from grader import resources
+from grader.build.compiler import Compiler
+from grader.errors import BuildFault
+from grader.sandbox.launch import Order, launch
+from grader.tolerances import SMALL_MAX_DEPTH
+
+LAYOUT = 1
+"""Changes when this file builds something else from the same stub."""
+
+FRAMEWORK_SECONDS = 300.0
+PLACEHOLDER = "src/exercise03.cpp"
+
+
+@dataclass(frozen=True, slots=True)
+class Flavour:
+    """One way to build everything: a name and its CMake options."""
+
+    name: str
+    options: tuple[str, ...]
+
+
+GRADED = Flavour("graded", ("-DCMAKE_BUILD_TYPE=Release",))
+SANITIZED = Flavour(
+    "sanitized",
+    (
+        "-DCMAKE_BUILD_TYPE=None",
+        "-DEX03_SANITIZE=ON",
+        f"-DEX03_MAX_DEPTH={SMALL_MAX_DEPTH}",
+        "-DCMAKE_CXX_FLAGS=-fno-sanitize-recover=all",
+    ),
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Workspace:
+    """The compiled framework of one flavour, and how to add one submission to it."""
+
+    compile_command: tuple[str, ...]
+    """Compiler and flags, without source, output and `-c`."""
+
+    link_command: tuple[str, ...]
+    """Compiler, flags and the framework's objects, without the submission and the output."""
+
+
+def workspace(compiler: Compiler, flavour: Flavour) -> Workspace:
+    """Return the framework of one flavour, compiled now if it is not in the cache.
+
+    Raises:
+        BuildFault: Our own framework did not compile; the message has the log.
+    """
+    stub = resources.stub_folder()
+    folder = resources.cache_folder() / "framework" / _key(stub, compiler, flavour)
+    stamp = folder / "complete"
+    with _locked(folder.with_suffix(".lock")):
+        if not stamp.exists():
+            shutil.rmtree(folder, ignore_errors=True)
+            _compile_framework(stub, folder, compiler, flavour)
+            stamp.touch()
+    return _read_commands(folder)
+
+
+def _key(stub: Path, compiler: Compiler, flavour: Flavour) -> str:
+    digest = hashlib.sha256(repr((LAYOUT, compiler, flavour)).encode())
+    for path in _framework_files(stub):
+        digest.update(f"{path.relative_to(stub)}\0".encode() + path.read_bytes() + b"\0")
+    return digest.hexdigest()[:24]
+
+
+def _framework_files(stub: Path) -> list[Path]:
+    wanted = [stub / "CMakeLists.txt"]
+    for name in ("include", "src", "abi", "preview"):
+        wanted += sorted(path for path in (stub / name).iterdir() if path.is_file())
+    return wanted
+
+
+@contextmanager
+def _locked(path: Path) -> Iterator[None]:
+    """Keep other grader processes from building the same workspace at the same time."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with path.open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        yield
+
+
+def _compile_framework(stub: Path, folder: Path, compiler: Compiler, flavour: Flavour) -> None:
+    copy = folder / "stub"
+    for path in _framework_files(stub):
+        target = copy / path.relative_to(stub)
+        target.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(path, target)
+    configure = ["cmake", "-S", copy, "-B", folder / "build", "-G", "Unix Makefiles"]
+    configure += [f"-DCMAKE_CXX_COMPILER={compiler.path}", *flavour.options]
+    build = ["cmake", "--build", folder / "build", "--target", "framework", "--parallel", "2"]
+    for step in (configure, build):
+        outcome = launch(Order([str(word) for word in step], FRAMEWORK_SECONDS))
+        if outcome.code != 0 or outcome.timed_out:
+            log = (outcome.out + outcome.err).decode(errors="replace")[-4000:]
+            message = f"the framework did not build with {compiler.title}:\n{log}"
+            raise BuildFault(message)
+
+
+def _read_commands(folder: Path) -> Workspace:
+    build = folder / "build"
+    commands = json.loads((build / "compile_commands.json").read_text())
+    source = str(folder / "stub" / PLACEHOLDER)
+    mine = next(entry for entry in commands if entry["file"] == source)
+    words = shlex.split(mine["command"])
+    object_name = words[words.index("-o") + 1]
+    compile_command = tuple(
+        word for word in words if word not in ("-c", "-o", object_name, source)
+    )
+    link = shlex.split((build / "CMakeFiles/exercise03.dir/link.txt").read_text())
+    library = link[link.index("-o") + 1]
+    objects = [
+        str(build / word) if word.endswith(".o") else word
+        for word in link
+        if word not in ("-o", library, object_name)
+    ]
+    return Workspace(compile_command, tuple(objects))

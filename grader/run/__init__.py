@@ -1,0 +1,1 @@
+"""How a compiled submission is called in a process of its own, and what comes back."""

@@ -1,0 +1,71 @@
+"""How the C functions of a compiled submission are called: mirrors exercise03_abi.h.
+
+Used inside the worker, so it uses the standard library only.
+"""
+
+import ctypes
+
+VERSION = 1
+SIZES = (12, 12, 32, 32, 28)
+"""Bytes of a point, face, node, ray and hit."""
+
+_POINTER = ctypes.c_void_p
+_COUNT = ctypes.c_uint64
+_STATUS = ctypes.c_int32
+
+_FUNCTIONS = {
+    "ex03_abi_version": (ctypes.c_uint32, ()),
+    "ex03_size_of": (_COUNT, (ctypes.c_uint32,)),
+    "ex03_mesh_create": (_POINTER, (_POINTER, _COUNT, _POINTER, _COUNT)),
+    "ex03_mesh_bvh": (_POINTER, (_POINTER,)),
+    "ex03_copy_vertices": (_COUNT, (_POINTER, _POINTER, _COUNT)),
+    "ex03_copy_faces": (_COUNT, (_POINTER, _POINTER, _COUNT)),
+    "ex03_bvh_create": (_POINTER, ()),
+    "ex03_construct": (_STATUS, (_POINTER, _POINTER)),
+    "ex03_copy_nodes": (_COUNT, (_POINTER, _POINTER, _COUNT)),
+    "ex03_copy_face_indices": (_COUNT, (_POINTER, _POINTER, _COUNT)),
+    "ex03_set_tree": (_STATUS, (_POINTER, _POINTER, _COUNT, _POINTER, _COUNT)),
+    "ex03_intersect": (_STATUS, (_POINTER, _POINTER)),
+    "ex03_intersect_threads": (_STATUS, (_POINTER, _POINTER, ctypes.c_uint32)),
+    "ex03_last_error": (_COUNT, (_POINTER, _COUNT)),
+}
+
+
+class Batch(ctypes.Structure):
+    """Rays to trace and where the results go; all fields but `count` are addresses."""
+
+    _fields_ = (
+        ("rays", ctypes.c_void_p),
+        ("count", ctypes.c_uint64),
+        ("hits", ctypes.c_void_p),
+        ("tests", ctypes.c_void_p),
+        ("done", ctypes.c_void_p),
+    )
+
+
+class Mismatch(Exception):
+    """The library was built from another version of the framework."""
+
+
+def load(path: str) -> ctypes.CDLL:
+    """Load a library and declare its functions.
+
+    Raises:
+        OSError: The library cannot be loaded.
+        Mismatch: It has another version, or other sizes, than this file mirrors.
+    """
+    library = ctypes.CDLL(path)
+    for name, (result, arguments) in _FUNCTIONS.items():
+        function = getattr(library, name)
+        function.restype = result
+        function.argtypes = arguments
+    sizes = tuple(library.ex03_size_of(what) for what in range(len(SIZES)))
+    if library.ex03_abi_version() != VERSION or sizes != SIZES:
+        message = f"version {library.ex03_abi_version()}, sizes {sizes}"
+        raise Mismatch(message)
+    return library
+
+
+def address(memory: memoryview) -> int:
+    """Address of the first byte of a writable buffer."""
+    return ctypes.addressof(ctypes.c_char.from_buffer(memory))

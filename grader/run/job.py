@@ -1,0 +1,122 @@
+"""How a worker's input and result files are laid out, filled and read.
+
+Both are memfds. The input is sealed against every change; the result is sealed against
+resizing, so a worker that truncates it cannot make the grader's mapping fault. The result is
+sparse: only pages that the worker wrote cost memory.
+"""
+
+import fcntl
+import mmap
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from grader.errors import WorkerFault
+from grader.run.protocol import DATA_OFFSET, HEADER, MAGIC, ROW, VERSION, Op
+
+ALIGNMENT = 64
+SEAL_SIZE = fcntl.F_SEAL_SHRINK | fcntl.F_SEAL_GROW | fcntl.F_SEAL_SEAL
+SEAL_ALL = SEAL_SIZE | fcntl.F_SEAL_WRITE
+
+
+class Job:
+    """What one worker shall do: rows, input arrays and reserved room for results."""
+
+    def __init__(self) -> None:
+        self._arrays: list[tuple[int, npt.NDArray[Any]]] = []
+        self._rows: list[bytes] = []
+        self._slots = 0
+        self._given_size = ROW.size
+        self._result_size = DATA_OFFSET
+
+    def give(self, array: npt.NDArray[Any]) -> int:
+        """Put an array into the input; returns its offset."""
+        offset = self._given_size
+        self._arrays.append((offset, np.ascontiguousarray(array)))
+        self._given_size += -(-array.nbytes // ALIGNMENT) * ALIGNMENT
+        return offset
+
+    def reserve(self, size: int) -> int:
+        """Reserve bytes in the result; returns their offset."""
+        offset = self._result_size
+        self._result_size += -(-max(size, 1) // ALIGNMENT) * ALIGNMENT
+        return offset
+
+    def do(self, op: Op, *arguments: int) -> None:
+        """Append an operation that makes no slot."""
+        self._rows.append(ROW.pack(op, *arguments, *[0] * (7 - len(arguments))))
+
+    def make(self, op: Op, *arguments: int) -> int:
+        """Append an operation that makes a slot; returns the slot."""
+        self.do(op, *arguments)
+        self._slots += 1
+        return self._slots - 1
+
+    @property
+    def row_count(self) -> int:
+        """How many operations a worker has to finish."""
+        return len(self._rows)
+
+    @property
+    def result_size(self) -> int:
+        """Bytes of the result file."""
+        return self._result_size
+
+    @contextmanager
+    def files(self) -> Iterator[tuple[int, int]]:
+        """Descriptors of the sealed input and of the empty result."""
+        given = os.memfd_create("given", os.MFD_CLOEXEC | os.MFD_ALLOW_SEALING)
+        result = os.memfd_create("result", os.MFD_CLOEXEC | os.MFD_ALLOW_SEALING)
+        try:
+            self._fill(given)
+            fcntl.fcntl(given, fcntl.F_ADD_SEALS, SEAL_ALL)
+            os.ftruncate(result, self._result_size)
+            fcntl.fcntl(result, fcntl.F_ADD_SEALS, SEAL_SIZE)
+            yield given, result
+        finally:
+            os.close(given)
+            os.close(result)
+
+    def _fill(self, given: int) -> None:
+        rows = b"".join(self._rows)
+        first = self._given_size
+        os.ftruncate(given, first + len(rows))
+        os.pwrite(given, HEADER.pack(MAGIC, VERSION, first, len(self._rows), 0, 0, 0, 0), 0)
+        _write(given, rows, first)
+        for offset, array in self._arrays:
+            if array.nbytes:
+                _write(given, array.reshape(-1).view(np.uint8).data, offset)
+
+
+def _write(descriptor: int, data: bytes | memoryview, offset: int) -> None:
+    """Write all of it: one call moves at most 2 GiB."""
+    view = memoryview(data)
+    while view:
+        written = os.pwrite(descriptor, view, offset)
+        if written <= 0:
+            message = "the input of a worker could not be written: out of memory?"
+            raise WorkerFault(message)
+        view, offset = view[written:], offset + written
+
+
+class Result:
+    """What a dead worker left: the bounds are ours, the content is the submission's."""
+
+    def __init__(self, descriptor: int, size: int) -> None:
+        self._memory = mmap.mmap(descriptor, size, prot=mmap.PROT_READ)
+
+    def array(self, offset: int, count: int, dtype: type[np.generic]) -> npt.NDArray[Any]:
+        """Copy of `count` items that start at a reserved offset."""
+        return np.frombuffer(self._memory, dtype, count, offset).copy()
+
+    def number(self, offset: int) -> int:
+        """One 64-bit number."""
+        return int(np.frombuffer(self._memory, np.uint64, 1, offset)[0])
+
+    def text(self, offset: int, size: int) -> bytes:
+        """Bytes of a text field."""
+        return bytes(self._memory[offset : offset + size])

@@ -1,0 +1,105 @@
+"""How all trials of a submission are run, two workers at a time, within one budget."""
+
+import os
+import threading
+import time
+from collections.abc import Callable, Iterable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+
+from grader.model.cases import Case, MemoryCase, SurvivalCase
+from grader.model.grade import Limits
+from grader.model.stages import Ending, Stop
+from grader.model.trials import ConstructTrial, RebuildTrial, TraceTrial, Trial
+from grader.run.requests import request
+from grader.run.session import Engine, run_job
+
+LARGE_MESH = 20_000
+"""Meshes of more faces than this get the rubric's larger time limit."""
+
+HURRIED_SECONDS = 1.0
+PATIENCE = 3
+"""After this many time-outs in one part the other trials of it get `HURRIED_SECONDS`."""
+
+
+@dataclass(frozen=True, slots=True)
+class Engines:
+    """The two builds of one submission; a missing one leaves out its trials."""
+
+    graded: Engine
+    sanitized: Engine | None
+
+
+def part_of(trial: Trial) -> str:
+    """Which part of the exercise a trial calls."""
+    return "a" if isinstance(trial, ConstructTrial | RebuildTrial) else "b"
+
+
+def is_sanitized(trial: Trial) -> bool:
+    """Whether a trial runs on the build with sanitizers."""
+    return isinstance(trial, ConstructTrial | TraceTrial) and trial.sanitized
+
+
+class Budget:
+    """How long the next worker may take, given what the others used."""
+
+    def __init__(self, limits: Limits) -> None:
+        self._limits = limits
+        self._deadline = time.monotonic() + limits.total_seconds
+        self._timeouts = {"a": 0, "b": 0}
+        self._lock = threading.Lock()
+
+    def seconds(self, trial: Trial) -> float:
+        """Wall seconds for a trial; 0 if nothing is left."""
+        mesh = trial.first if isinstance(trial, RebuildTrial) else trial.mesh
+        large = len(mesh.faces) > LARGE_MESH
+        allowed = self._limits.large_seconds if large else self._limits.small_seconds
+        with self._lock:
+            if self._timeouts[part_of(trial)] >= PATIENCE:
+                allowed = HURRIED_SECONDS
+        return max(0.0, min(allowed, self._deadline - time.monotonic()))
+
+    def note(self, trial: Trial, ending: Ending) -> None:
+        """Remember how a trial ended."""
+        if ending.stop is Stop.TIMED_OUT:
+            with self._lock:
+                self._timeouts[part_of(trial)] += 1
+
+
+def run_trials(
+    trials: Sequence[Trial],
+    engines: Engines,
+    budget: Budget,
+    progress: Callable[[int, int], None],
+) -> Iterable[tuple[Case, ...]]:
+    """Run every trial in a process of its own; yields their cases in the order of `trials`."""
+    runnable = [trial for trial in trials if engines.sanitized or not is_sanitized(trial)]
+    with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
+        futures = [pool.submit(_run, trial, engines, budget) for trial in runnable]
+        try:
+            for number, future in enumerate(futures):
+                progress(number, len(futures))
+                yield future.result()
+        finally:
+            for future in futures:
+                future.cancel()
+
+
+def _run(trial: Trial, engines: Engines, budget: Budget) -> tuple[Case, ...]:
+    engine = engines.sanitized if is_sanitized(trial) else engines.graded
+    if engine is None:
+        return ()
+    seconds = budget.seconds(trial)
+    if seconds <= 0:
+        detail = "not run: the time for all meshes together was used up"
+        return _ended(trial, Ending(Stop.TIMED_OUT, detail, 0.0, 0.0, ""))
+    asked = request(trial)
+    ending, result = run_job(asked.job, engine, seconds)
+    budget.note(trial, ending)
+    cases = asked.read(result, ending) if result else ()
+    return (*_ended(trial, ending), *cases)
+
+
+def _ended(trial: Trial, ending: Ending) -> tuple[Case, ...]:
+    kind = MemoryCase if is_sanitized(trial) else SurvivalCase
+    return (kind(trial.name, trial, ending),)

@@ -1,0 +1,176 @@
+"""What runs in the process that holds a submission: carries out rows, decides nothing.
+
+Started as `python -I -S worker.py LIBRARY INPUT_FD RESULT_FD MEMORY_MIB CPU_SECONDS`. It knows
+no expected value, no seed and no name of a check. Whatever the submission does to this process,
+the grader trusts only what it can verify in the result file afterwards.
+"""
+
+import mmap
+import os
+import resource
+import sys
+from collections.abc import Callable
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))  # noqa: PTH100, PTH120 - pathlib costs 8 ms
+
+import abi  # type: ignore[import-not-found]  # beside this file, outside any package
+import protocol  # type: ignore[import-not-found]  # the same
+from protocol import Op, Status
+
+STACK_BYTES = 16 << 20
+FILE_BYTES = 512 << 20
+
+
+class Worker:
+    """One library, one input, one result, and the slots that rows refer to."""
+
+    def __init__(self, library: str, given: mmap.mmap, result: mmap.mmap) -> None:
+        self.given = given
+        self.result = result
+        # A private mapping is writable for ctypes, but no write reaches the sealed file.
+        self.source = abi.address(memoryview(given))
+        self.target = abi.address(memoryview(result))
+        self.slots: list[tuple[int, int]] = []
+        self.library = abi.load(library)
+        self.actions: dict[Op, tuple[Callable[..., int], int]] = {
+            Op.MESH: (self.mesh, 4),
+            Op.TREE: (self.tree, 0),
+            Op.CONSTRUCT: (self.construct, 2),
+            Op.READ_TREE: (self.read_tree, 6),
+            Op.READ_MESH: (self.read_mesh, 6),
+            Op.SET_TREE: (self.set_tree, 5),
+            Op.TRACE: (self.trace, 7),
+        }
+        """Each operation and how many of a row's numbers are its arguments."""
+
+    def mesh(self, vertices: int, vertex_count: int, faces: int, face_count: int) -> int:
+        """Make a mesh and its tree: the next slot."""
+        made = self.library.ex03_mesh_create(
+            self.source + vertices, vertex_count, self.source + faces, face_count
+        )
+        if not made:
+            return Status.OUT_OF_MEMORY
+        self.slots.append((made, self.library.ex03_mesh_bvh(made)))
+        return Status.OK
+
+    def tree(self) -> int:
+        """Make a tree without a mesh: the next slot."""
+        self.slots.append((0, self.library.ex03_bvh_create()))
+        return Status.OK
+
+    def construct(self, tree: int, mesh: int) -> int:
+        """Call the submission's `construct`."""
+        return int(self.library.ex03_construct(self.slots[tree][1], self.slots[mesh][0]))
+
+    def read_tree(self, *row: int) -> int:
+        """Copy nodes and face indices into the result."""
+        slot, nodes, node_capacity, order, order_capacity, counts = row
+        tree = self.slots[slot][1]
+        self.put(
+            counts,
+            self.library.ex03_copy_nodes(tree, self.target + nodes, node_capacity),
+            self.library.ex03_copy_face_indices(tree, self.target + order, order_capacity),
+        )
+        return Status.OK
+
+    def read_mesh(self, *row: int) -> int:
+        """Copy vertices and faces into the result."""
+        slot, vertices, vertex_capacity, faces, face_capacity, counts = row
+        mesh = self.slots[slot][0]
+        self.put(
+            counts,
+            self.library.ex03_copy_vertices(mesh, self.target + vertices, vertex_capacity),
+            self.library.ex03_copy_faces(mesh, self.target + faces, face_capacity),
+        )
+        return Status.OK
+
+    def set_tree(self, slot: int, nodes: int, count: int, order: int, faces: int) -> int:
+        """Replace a tree by one from the input."""
+        return int(
+            self.library.ex03_set_tree(
+                self.slots[slot][1], self.source + nodes, count, self.source + order, faces
+            )
+        )
+
+    def trace(self, *row: int) -> int:
+        """Call the submission's `intersect` for all rays, in one thread or in several."""
+        slot, rays, count, hits, tests, done, threads = row
+        batch = abi.Batch(
+            self.source + rays,
+            count,
+            self.target + hits,
+            self.target + tests if tests else None,
+            self.target + done,
+        )
+        mesh = self.slots[slot][0]
+        pointer = abi.ctypes.byref(batch)
+        if threads == 1:
+            return int(self.library.ex03_intersect(mesh, pointer))
+        return int(self.library.ex03_intersect_threads(mesh, pointer, threads))
+
+    def put(self, offset: int, *numbers: int) -> None:
+        """Write 64-bit numbers into the result."""
+        for place, number in enumerate(numbers):
+            at = offset + 8 * place
+            self.result[at : at + 8] = number.to_bytes(8, "little")
+
+    def carry_out(self) -> int:
+        """Run all rows; stops at the first one that fails and returns its status."""
+        _, _, first, count, *_ = protocol.HEADER.unpack_from(self.given, 0)
+        for number in range(count):
+            at = first + number * protocol.ROW.size
+            code, *arguments = protocol.ROW.unpack_from(self.given, at)
+            action, wanted = self.actions[Op(code)]
+            status = action(*arguments[:wanted])
+            if status != Status.OK:
+                return status
+            self.put(16, number + 1)
+        return int(Status.OK)
+
+
+def write_error(result: mmap.mmap, status: int, text: bytes) -> None:
+    """Say in the result's header why no further row was carried out."""
+    cut = text[: protocol.ERROR_CAPACITY]
+    result[24:40] = status.to_bytes(8, "little") + len(cut).to_bytes(8, "little")
+    result[protocol.ERROR_OFFSET : protocol.ERROR_OFFSET + len(cut)] = cut
+
+
+def limit(memory_mib: int, cpu_seconds: int) -> None:
+    """Bound this process before any foreign code is loaded; 0 MiB means no bound."""
+    if memory_mib:
+        resource.setrlimit(resource.RLIMIT_AS, (memory_mib << 20, memory_mib << 20))
+    # One second more in the hard limit makes the end a SIGXCPU and not a SIGKILL.
+    resource.setrlimit(resource.RLIMIT_CPU, (cpu_seconds, cpu_seconds + 1))
+    resource.setrlimit(resource.RLIMIT_FSIZE, (FILE_BYTES, FILE_BYTES))
+    resource.setrlimit(resource.RLIMIT_STACK, (STACK_BYTES, STACK_BYTES))
+    # 1 and not 0: a core_pattern that pipes into a program ignores 0.
+    resource.setrlimit(resource.RLIMIT_CORE, (1, 1))
+
+
+def main() -> None:
+    """Map the two files, load the library, carry out the rows, leave without clean-up."""
+    library, given_fd, result_fd, memory_mib, cpu_seconds = sys.argv[1:6]
+    limit(int(memory_mib), int(cpu_seconds))
+    given = mmap.mmap(
+        int(given_fd), 0, flags=mmap.MAP_PRIVATE, prot=mmap.PROT_READ | mmap.PROT_WRITE
+    )
+    result = mmap.mmap(int(result_fd), 0)
+    try:
+        worker = Worker(library, given, result)
+    except abi.Mismatch as error:
+        write_error(result, Status.MISMATCH, str(error).encode())
+        os._exit(0)
+    except OSError as error:
+        write_error(result, Status.NOT_LOADED, str(error).encode())
+        os._exit(0)
+    status = worker.carry_out()
+    if status != Status.OK:
+        text = bytearray(protocol.ERROR_CAPACITY)
+        length = worker.library.ex03_last_error(abi.address(memoryview(text)), len(text))
+        write_error(result, status, bytes(text[: min(length, len(text))]))
+    # Destructors of the submission are nobody's business here, and could crash.
+    os._exit(0)
+
+
+if __name__ == "__main__":
+    main()

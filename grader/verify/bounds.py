@@ -1,0 +1,54 @@
+"""Are the boxes right, and does memory stay in bounds?"""
+
+import numpy as np
+
+from grader.model.cases import MemoryCase, TreeCase
+from grader.model.stages import Stop
+from grader.model.verdict import Evidence, Example
+from grader.verify.check import check, judged, one, vector
+from grader.verify.structure import READABLE, calls_construct, needs_a_split
+from grader.verify.tree import shape, spans
+
+
+@check(TreeCase, "bvh.boxes-are-tight", needs=READABLE, when=needs_a_split)
+def boxes_are_tight(case: TreeCase) -> Evidence:
+    """Every node's box is exactly the box of its own triangles.
+
+    No tolerance: a union only picks minima and maxima, and neither rounds. The root's box is
+    given by the mesh and judged by `bvh.root-holds-all-faces`.
+    Source: exercise sheet, part a, "Compute their bounding boxes".
+    """
+    bvh, true = case.bvh, spans(case.trial.mesh, case.bvh)
+    used = shape(bvh).reached[1:]
+    used = used[bvh.begin[used] < bvh.end[used]]
+    low, high = bvh.low[used], bvh.high[used]
+    true_low, true_high = true.low[used], true.high[used]
+
+    def describe(k: int) -> Example:
+        got = f"{vector(low[k])} to {vector(high[k])}"
+        wanted = f"{vector(true_low[k])} to {vector(true_high[k])}"
+        text = f"node {used[k]}: box is {got}, but its triangles span {wanted}"
+        return Example(text, wanted, got)
+
+    wrong = (low != true_low).any(axis=1) | (high != true_high).any(axis=1)
+    return judged(np.asarray(wrong), describe)
+
+
+@check(MemoryCase, "bvh.memory-is-safe", when=calls_construct)
+def construct_memory_is_safe(case: MemoryCase) -> Evidence:
+    """Sanitizers find no memory error and no undefined behaviour in `construct`."""
+    return safe(case)
+
+
+def safe(case: MemoryCase) -> Evidence:
+    """Judge what the sanitizers said of one worker.
+
+    A worker that ended early without a finding proves nothing: it is not examined here.
+    """
+    ending = case.ending
+    if ending.finding:
+        where = f" in line {ending.line}" if ending.line else ""
+        text = f"{case.name}: {ending.finding}{where}"
+        example = Example(text, "no finding", ending.finding)
+        return Evidence(1, 1, (example,), ending.stop, ending.line)
+    return one(None) if ending.stop is Stop.FINISHED else Evidence(0, 0, stop=ending.stop)

@@ -1,0 +1,68 @@
+"""How many cases does a right submission give each check to examine?"""
+
+from collections.abc import Sequence
+
+from grader.model.cases import (
+    AlteredCase,
+    BuildCase,
+    DepthCase,
+    HitCase,
+    ImageCase,
+    MemoryCase,
+    RebuildCase,
+    RepeatCase,
+    SourceCase,
+    SurvivalCase,
+    TreeCase,
+    WorkCase,
+)
+from grader.model.trials import (
+    AlteredTrial,
+    ConstructTrial,
+    ImageTrial,
+    RebuildTrial,
+    RepeatTrial,
+    TraceTrial,
+    Trial,
+    WorkTrial,
+)
+from grader.tolerances import FACES_PER_LEAF, MAX_DEPTH, SMALL_MAX_DEPTH
+from grader.verify.check import Check
+
+ONCE = (BuildCase, SourceCase)
+"""Cases that do not come from a trial."""
+
+DELIVERED: dict[type, type] = {
+    RebuildTrial: RebuildCase,
+    TraceTrial: HitCase,
+    AlteredTrial: AlteredCase,
+    WorkTrial: WorkCase,
+    RepeatTrial: RepeatCase,
+    ImageTrial: ImageCase,
+}
+
+
+def planned_cases(checks: Sequence[Check], trials: Sequence[Trial]) -> dict[str, int]:
+    """Count, per check, the cases that the reference would give it."""
+    return {
+        each.id: int(each.kind in ONCE)
+        + sum(each.kind in kinds_of(trial) and each.when(trial) for trial in trials)
+        for each in checks
+    }
+
+
+def kinds_of(trial: Trial) -> tuple[type, ...]:
+    """The kinds of cases that a trial delivers if its worker finishes."""
+    if isinstance(trial, ConstructTrial):
+        return _construct_kinds(trial)
+    if isinstance(trial, TraceTrial) and trial.sanitized:
+        return (MemoryCase,)
+    return (SurvivalCase, DELIVERED[type(trial)])
+
+
+def _construct_kinds(trial: ConstructTrial) -> tuple[type, ...]:
+    max_depth = SMALL_MAX_DEPTH if trial.sanitized else MAX_DEPTH
+    ended = MemoryCase if trial.sanitized else SurvivalCase
+    if len(trial.mesh.faces) > FACES_PER_LEAF << max_depth:
+        return (ended, DepthCase)
+    return (ended,) if trial.sanitized else (ended, TreeCase)

@@ -1,0 +1,214 @@
+"""Is the tree readable, complete and rightly shaped?"""
+
+import numpy as np
+
+from grader.model.cases import DepthCase, RebuildCase, SurvivalCase, TreeCase
+from grader.model.mesh import Bvh, Mesh
+from grader.model.stages import Stop
+from grader.model.trials import ConstructTrial, RebuildTrial, Trial
+from grader.model.verdict import Evidence, Example
+from grader.tolerances import FACES_PER_LEAF, NODE_CAPACITY
+from grader.verify.check import check, judged, one, vector
+from grader.verify.tree import shape
+
+READABLE = ("bvh.is-readable",)
+
+
+def has_faces(trial: ConstructTrial) -> bool:
+    """Tell whether there is anything to put into a node."""
+    return len(trial.mesh.faces) > 0
+
+
+def needs_a_split(trial: ConstructTrial) -> bool:
+    """Tell whether the root of a right tree has children."""
+    return len(trial.mesh.faces) > FACES_PER_LEAF
+
+
+def calls_construct(trial: Trial) -> bool:
+    """Tell whether a trial is one of part a."""
+    return isinstance(trial, ConstructTrial | RebuildTrial)
+
+
+@check(TreeCase, "bvh.is-readable")
+def is_readable(case: TreeCase) -> Evidence:
+    """The nodes' ranges and the face indices lie within the mesh."""
+    return one(unreadable(case.trial.mesh, case.bvh))
+
+
+def unreadable(mesh: Mesh, bvh: Bvh) -> Example | None:
+    """Say what makes a tree unreadable, or None."""
+    faces = len(mesh.faces)
+    if faces and not len(bvh.end):
+        return Example("there are no nodes at all", "a root node at index 0", "0 nodes")
+    if bvh.node_count > NODE_CAPACITY:
+        text = f"there are {bvh.node_count:,} nodes, but depth 20 has room for 2,097,151"
+        return Example(text, "at most 2,097,151 nodes", f"{bvh.node_count:,} nodes")
+    if len(bvh.order) < faces:
+        text = f"faceIndices has {len(bvh.order):,} entries, but the mesh has {faces:,} faces"
+        return Example(text, f"{faces:,} entries", f"{len(bvh.order):,} entries")
+    used = shape(bvh).reached
+    begin, end = bvh.begin[used], bvh.end[used]
+    if (bad := np.flatnonzero((end > faces) | (begin > end))).size:
+        k = int(bad[0])
+        return Example(
+            f"node {used[k]}: its range is [{begin[k]}, {end[k]}), but the mesh has "
+            f"{faces:,} faces",
+            f"0 <= facesBegin <= facesEnd <= {faces}",
+            f"[{begin[k]}, {end[k]})",
+        )
+    if (bad := np.flatnonzero(bvh.order[:faces] >= faces)).size:
+        k = int(bad[0])
+        text = f"faceIndices[{k}] is {bvh.order[k]}, but the last face is {faces - 1}"
+        return Example(text, f"at most {faces - 1}", str(bvh.order[k]))
+    return None
+
+
+@check(TreeCase, "bvh.root-holds-all-faces", needs=READABLE)
+def root_holds_all_faces(case: TreeCase) -> Evidence:
+    """Node 0 holds all faces and has the mesh's box."""
+    mesh, bvh = case.trial.mesh, case.bvh
+    faces = len(mesh.faces)
+    if not faces:
+        held = not len(bvh.end) or bvh.begin[0] == bvh.end[0]
+        return one(None if held else Example("node 0 holds faces of an empty mesh"))
+    low, high = mesh.vertices.min(axis=0), mesh.vertices.max(axis=0)
+    if (bvh.begin[0], bvh.end[0]) != (0, faces):
+        got = f"[{bvh.begin[0]}, {bvh.end[0]})"
+        text = f"node 0: its range is {got}, but it must hold all {faces:,} faces"
+        return one(Example(text, f"[0, {faces})", got))
+    if (bvh.low[0] != low).any() or (bvh.high[0] != high).any():
+        got = f"{vector(bvh.low[0])} to {vector(bvh.high[0])}"
+        wanted = f"{vector(low)} to {vector(high)}"
+        return one(Example(f"node 0: box is {got}, but the mesh spans {wanted}", wanted, got))
+    return one(None)
+
+
+@check(TreeCase, "bvh.face-indices-are-a-permutation", needs=READABLE)
+def face_indices_are_a_permutation(case: TreeCase) -> Evidence:
+    """`faceIndices` holds every face of the mesh exactly once."""
+    faces = len(case.trial.mesh.faces)
+    if len(case.bvh.order) > faces:
+        text = f"faceIndices has more than {faces:,} entries, but the mesh has {faces:,} faces"
+        return one(Example(text, f"{faces:,} entries", f"at least {faces + 1:,}"))
+    times = np.bincount(case.bvh.order, minlength=faces) if faces else np.ones(1, np.int64)
+    return judged(
+        times != 1,
+        lambda face: Example(
+            f"face {face} is in faceIndices {times[face]} times, but it must be there once",
+            "once",
+            f"{times[face]} times",
+        ),
+    )
+
+
+@check(TreeCase, "bvh.children-partition-their-parent", needs=READABLE, when=needs_a_split)
+def children_partition_their_parent(case: TreeCase) -> Evidence:
+    """The nodes 2i+1 and 2i+2 share out the faces of node i, and nothing is lost or doubled."""
+    bvh, form = case.bvh, shape(case.bvh)
+
+    def describe(k: int) -> Example:
+        node = int(form.inner[k])
+        parent = f"[{bvh.begin[node]}, {bvh.end[node]})"
+        got = " and ".join(_range(bvh, child) for child in (2 * node + 1, 2 * node + 2))
+        return Example(
+            f"node {node} holds {parent}, but its children {2 * node + 1} and "
+            f"{2 * node + 2} hold {got}",
+            f"two halves that make up {parent}",
+            got,
+        )
+
+    wrong = ~form.parted[form.inner]
+    return judged(wrong, describe)
+
+
+def _range(bvh: Bvh, node: int) -> str:
+    if node >= len(bvh.end):
+        return "nothing (no such node)"
+    return f"[{bvh.begin[node]}, {bvh.end[node]})"
+
+
+@check(TreeCase, "bvh.leaves-hold-at-most-four", needs=READABLE, when=has_faces)
+def leaves_hold_at_most_four(case: TreeCase) -> Evidence:
+    """A node is split if and only if it holds more than four faces."""
+    bvh, form = case.bvh, shape(case.bvh)
+    held = bvh.end[form.reached].astype(np.int64) - bvh.begin[form.reached]
+    split = np.isin(form.reached, form.inner, assume_unique=True)
+
+    def describe(k: int) -> Example:
+        node, done = int(form.reached[k]), "is split" if split[k] else "is a leaf"
+        limit = "at most 4 are not split" if split[k] else "more than 4 are split"
+        return Example(
+            f"node {node} holds {held[k]:,} faces and {done}, but nodes of {limit}",
+            f"a leaf of at most {FACES_PER_LEAF} faces",
+            f"node {node} with {held[k]:,} faces {done}",
+        )
+
+    return judged(split != (held > FACES_PER_LEAF), describe)
+
+
+@check(DepthCase, "bvh.depth-is-limited")
+def depth_is_limited(case: DepthCase) -> Evidence:
+    """Splitting goes on down to `maxDepth` and stops there."""
+    depth = shape(case.bvh).depth
+    if case.max_depth - 1 <= depth <= case.max_depth:
+        return one(None)
+    text = (
+        f"the deepest node is on level {depth}, but with {len(case.trial.mesh.faces):,} faces "
+        f"it must be on level {case.max_depth - 1} or {case.max_depth}"
+    )
+    return one(Example(text, f"level {case.max_depth}", f"level {depth}"))
+
+
+@check(SurvivalCase, "bvh.survives-every-mesh", when=calls_construct)
+def survives_every_mesh(case: SurvivalCase) -> Evidence:
+    """`construct` comes back from every mesh: no crash, no time-out, no exhausted memory."""
+    return survived(case)
+
+
+def survived(case: SurvivalCase) -> Evidence:
+    """Judge the end of one worker."""
+    ending = case.ending
+    if ending.stop is Stop.FINISHED:
+        return one(None)
+    example = Example(f"{case.name}: {ending.detail}", "it returns", ending.detail)
+    return Evidence(1, 1, (example,), ending.stop, ending.line)
+
+
+@check(RebuildCase, "bvh.rebuild-starts-afresh")
+def rebuild_starts_afresh(case: RebuildCase) -> Evidence:
+    """A second `construct` leaves nothing of the first, and the mesh is not touched."""
+    for name, given, after in case.meshes:
+        if not _same_mesh(given, after):
+            text = f"mesh {name} has changed, but construct may only read it"
+            return one(Example(text, "the mesh as it was", "changed vertices or faces"))
+    fresh = {id(mesh): bvh for _, mesh, bvh in reversed(case.trees[:2])}
+    for label, mesh, bvh in case.trees[2:]:
+        difference = _difference(mesh, fresh[id(mesh)], bvh)
+        if difference:
+            wanted = "the tree that the first call builds"
+            return one(Example(f"{label}: {difference}", wanted, difference))
+    return one(None)
+
+
+def _same_mesh(a: Mesh, b: Mesh) -> bool:
+    return np.array_equal(a.vertices.view(np.uint32), b.vertices.view(np.uint32)) and (
+        np.array_equal(a.faces, b.faces)
+    )
+
+
+def _difference(mesh: Mesh, fresh: Bvh, later: Bvh) -> str:
+    """Say how a later tree differs from a fresh one, `` if only the order of ties does."""
+    flaw = unreadable(mesh, later)
+    if flaw and not unreadable(mesh, fresh):
+        return flaw.message
+    mine, yours = shape(later), shape(fresh)
+    if not np.array_equal(mine.reached, yours.reached):
+        return f"{mine.reached.size:,} nodes are in use, but {yours.reached.size:,} in a new tree"
+    used = mine.reached
+    if (later.begin[used] != fresh.begin[used]).any() or (
+        later.end[used] != fresh.end[used]
+    ).any():
+        return "the nodes' ranges are not those of a new tree"
+    if not np.array_equal(np.sort(later.order), np.sort(fresh.order)):
+        return "faceIndices does not hold the same faces as in a new tree"
+    return ""

@@ -1,0 +1,132 @@
+"""What does a tree consist of, and what do its nodes really hold?
+
+Everything is computed for whole arrays of nodes. Minima and maxima are kept as minima only,
+with maxima negated, so one `np.minimum` serves both. True spans go bottom-up from the leaves
+wherever children partition their parent, and are taken from the faces themselves elsewhere.
+"""
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+
+from grader.model.mesh import Bvh, Floats, FrozenArrays, Indices, Integers, Mask, Mesh
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Shape(FrozenArrays):
+    """Which nodes a traversal can reach, and which of them have children."""
+
+    reached: Integers
+    """(K,) int64, nodes in reach of the root, ascending: level by level."""
+
+    inner: Integers
+    """(K,) int64, reached nodes with at least one used child."""
+
+    leaves: Integers
+    """(K,) int64, reached nodes without a used child."""
+
+    parted: Mask
+    """(N,) bool, True for inner nodes whose two children partition their range."""
+
+    depth: int
+    """Deepest level in reach; the root is level 0, and -1 says that there is no root."""
+
+
+@lru_cache(maxsize=2)
+def shape(bvh: Bvh) -> Shape:
+    """Walk the tree level by level, as the sheet defines a leaf.
+
+    A node is a leaf where both child indices lie outside the nodes or the child's `facesEnd`
+    is 0. Source: exercise sheet, part b, "A node is a leaf node, if".
+    """
+    count = len(bvh.end)
+    used = np.zeros(2 * count + 3, dtype=np.bool_)
+    used[:count] = bvh.end != 0
+    level = np.zeros(min(count, 1), dtype=np.int64)
+    levels: list[Integers] = []
+    while level.size:
+        levels.append(level)
+        children = np.stack([2 * level + 1, 2 * level + 2], axis=1).ravel()
+        level = children[used[children]]
+    reached = np.concatenate(levels) if levels else np.zeros(0, dtype=np.int64)
+    has_child = used[2 * reached + 1] | used[2 * reached + 2]
+    inner = reached[has_child]
+    parted = np.zeros(count, dtype=np.bool_)
+    parted[inner] = _partitions(bvh, inner, used)
+    return Shape(reached, inner, reached[~has_child], parted, len(levels) - 1)
+
+
+def _partitions(bvh: Bvh, inner: Integers, used: Mask) -> Mask:
+    """(K,) bool, True where two non-empty, touching ranges make up the parent's range."""
+    left, right = 2 * inner + 1, 2 * inner + 2
+    both = used[left] & used[right]
+    left, right = np.where(both, left, inner), np.where(both, right, inner)
+    return np.asarray(
+        both
+        & (bvh.begin[left] == bvh.begin[inner])
+        & (bvh.end[left] == bvh.begin[right])
+        & (bvh.end[right] == bvh.end[inner])
+        & (bvh.begin[left] < bvh.end[left])
+        & (bvh.begin[right] < bvh.end[right])
+    )
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Spans(FrozenArrays):
+    """What the faces of each reached node really span; rows of other nodes are infinite."""
+
+    low: Floats
+    """(N, 3) float32, smallest corner of the node's triangles."""
+
+    high: Floats
+    """(N, 3) float32."""
+
+    centre_low: Floats
+    """(N, 3) float32, smallest centre of the node's triangles on each axis."""
+
+    centre_high: Floats
+    """(N, 3) float32."""
+
+
+@lru_cache(maxsize=2)
+def spans(mesh: Mesh, bvh: Bvh) -> Spans:
+    """Compute every reached node's true box and the box of its triangles' centres.
+
+    The tree must be readable: ranges and face indices within the mesh.
+    """
+    form = shape(bvh)
+    minima = np.full((12, len(bvh.end)), np.inf, dtype=np.float32)
+    faces = _face_minima(mesh)[bvh.order[: len(mesh.faces)]]
+    direct = form.reached[~form.parted[form.reached]]
+    minima[:, direct] = _range_minima(faces, bvh.begin[direct], bvh.end[direct])
+    parted = form.reached[form.parted[form.reached]]
+    # Ascending indices are level by level, so going backwards meets children first.
+    for level in range(form.depth - 1, -1, -1):
+        first, past = np.searchsorted(parted, [2**level - 1, 2 ** (level + 1) - 1])
+        nodes = parted[first:past]
+        minima[:, nodes] = np.minimum(minima[:, 2 * nodes + 1], minima[:, 2 * nodes + 2])
+    low, high, centre_low, centre_high = minima.reshape(4, 3, -1)
+    return Spans(low.T, -high.T, centre_low.T, -centre_high.T)
+
+
+@lru_cache(maxsize=2)
+def _face_minima(mesh: Mesh) -> Floats:
+    """(F, 12) float32: low, -high, centre, -centre of each triangle."""
+    a, b, c = (mesh.vertices[mesh.faces[:, corner]] for corner in range(3))
+    low, high = np.minimum(np.minimum(a, b), c), np.maximum(np.maximum(a, b), c)
+    centre = ((a.astype(np.float64) + b + c) / 3).astype(np.float32)
+    return np.concatenate([low, -high, centre, -centre], axis=1)
+
+
+def _range_minima(faces: Floats, begin: Indices, end: Indices) -> Floats:
+    """(12, K) float32, minima over the rows `begin[k]:end[k]`; infinite for empty ranges."""
+    result = np.full((12, len(begin)), np.inf, dtype=np.float32)
+    filled = np.flatnonzero(begin < end)
+    if filled.size:
+        # reduceat takes the minima between neighbouring indices: every second one is wanted.
+        # The row of infinities lets a range end behind the last face.
+        padded = np.concatenate([faces, np.full((1, 12), np.inf, dtype=np.float32)])
+        edges = np.stack([begin[filled], end[filled]], axis=1).ravel().astype(np.int64)
+        result[:, filled] = np.minimum.reduceat(padded, edges, axis=0)[::2].T
+    return result
