@@ -51,7 +51,9 @@ rubric_option = click.option(
 @click.option("--only", multiple=True, metavar="CHECK", help="Run this check; repeatable.")
 @seed_option
 @rubric_option
-def check(submission: Path | None, only: tuple[str, ...], seed: int, rubric: Path | None) -> None:
+def check(
+    submission: Path | None, only: tuple[str, ...], seed: int, rubric: Path | None
+) -> None:
     """Grade your own code and explain what is wrong.
 
     SUBMISSION is a .cpp file, a folder or an archive that holds one exercise03.cpp. Without it,
@@ -120,7 +122,7 @@ def usual_place() -> Path:
 
 
 def own_folder() -> Path:
-    """Choose where a student's own result goes: here, or the cache if nothing may be written."""
+    """Choose a folder for a student's own result: here, else in the cache."""
     try:
         return ready(Path(OUTPUT))
     except UsageError:
@@ -169,9 +171,8 @@ def repetition(order: Order) -> str:
 def points_only(result: Grade) -> str:
     """Word the points in one line."""
     name = one_line(result.submission.student)
-    if is_withheld(result):
-        return f"{name}: withheld of {result.max_score:g}"
-    return f"{name}: {result.score:g} of {result.max_score:g}"
+    earned = "withheld" if is_withheld(result) else f"{result.score:g}"
+    return f"{earned} of {result.max_score:g}  {name}"
 
 
 def is_withheld(result: Grade) -> bool:

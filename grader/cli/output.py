@@ -1,4 +1,4 @@
-"""Where results go: a folder that is tried before grading starts, files that are whole or absent."""
+"""Where do results go? Into a folder that was tried first, as whole files or not at all."""
 
 import secrets
 from contextlib import suppress

@@ -43,7 +43,8 @@ class GraderGroup(click.Group):
 
 def stop(ctx: click.Context, sentence: str, status: int) -> NoReturn:
     """Say why on standard error and leave."""
-    click.echo(f"bvhgrade: {printable(sentence)}", err=True)
+    for line in printable(sentence).splitlines():
+        click.echo(f"bvhgrade: {line}", err=True)
     ctx.exit(status)
 
 

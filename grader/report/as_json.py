@@ -1,8 +1,8 @@
-"""How a grade becomes `result.json`, schema version 1: the file every other format is made from.
+"""How does a grade become `result.json`, the file that every other format is made from?
 
 Two gradings of one submission with one seed may differ only inside `timing` and in
-`provenance.cpu`. Measured seconds therefore stand in `timing` alone; `seconds` of a check and of
-the build are part of the shape and always null.
+`provenance.cpu`. Measured seconds therefore stand in `timing` alone; `seconds` of a check and
+of the build belong to the shape and are always null.
 """
 
 import json

@@ -1,4 +1,4 @@
-"""What every format says about a grade, decided once: withheld or not, where to look, what first."""
+"""What does every format say about a grade? Decided once: what is withheld, where to look."""
 
 import re
 from dataclasses import dataclass
@@ -12,7 +12,6 @@ FILE = "src/exercise03.cpp"
 
 FUNCTIONS = {"a": "BVH::construct", "b": "intersect"}
 """The function that each part asks for."""
-
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,4 +1,4 @@
-"""How one failed check is explained in a terminal: from what happened to how to run it again."""
+"""How does a terminal explain one failed check, from what happened to how to run it again?"""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -7,7 +7,6 @@ from rich.text import Text
 
 from grader.model.grade import CheckScore, Grade
 from grader.model.stages import Rejected
-from grader.model.verdict import Verdict
 from grader.report.facts import FILE, place
 from grader.report.sheet import STYLES, Sheet
 from grader.report.text import one_line, printable
@@ -23,7 +22,7 @@ class Occasion:
     """How a report came to be printed; nothing in it comes from the submission."""
 
     command: str
-    """The call, ready to be pasted, to which `--only CHECK` may be added; empty if none fits."""
+    """The call, ready to be pasted; `--only CHECK` may be added. Empty if none fits."""
 
     written: Path | None = None
     """Where `result.json` lies."""
@@ -61,8 +60,7 @@ def explain(sheet: Sheet, grade: Grade, score: CheckScore, occasion: Occasion) -
 def headline(sheet: Sheet, score: CheckScore) -> None:
     """Write verdict word and statement, and the points on the right or below."""
     style = STYLES[score.verdict]
-    word = "" if sheet.glyphs.mark(Verdict.FAIL).strip() == "FAIL" else f" {score.verdict.value}"
-    mark = Text(sheet.glyphs.mark(score.verdict) + word + "  ", style)
+    mark = Text(f"{sheet.glyphs.named(score.verdict)}  ", style)
     worth = f"{points(score.score, score.max_score)} points" if score.max_score else "gate"
     room = sheet.width - mark.cell_len
     lines = sheet.wrapped(one_line(score.title), room)
@@ -72,7 +70,8 @@ def headline(sheet: Sheet, score: CheckScore) -> None:
         left.append(line, "bold")
         last = number == len(lines) - 1
         sheet.spread(left, Text(worth if last and fits else "", "dim"))
-    sheet.beside("check", score.check if fits else f"{score.check}, {worth}", "dim")
+    if not fits:
+        sheet.beside("points", points(score.score, score.max_score))
 
 
 def examples(score: CheckScore, happened: str) -> list[tuple[str, str]]:

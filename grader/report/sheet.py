@@ -1,4 +1,4 @@
-"""How lines of a terminal report are laid out: width, glyphs, gutter, one place for hostile text.
+"""How are lines of a terminal report laid out: width, signs, gutter, wrapping?
 
 Every word from outside becomes a `rich.text.Text` here, never a markup string, after it went
 through `printable`. So `v[red]` and `[/tmp/x]` survive, and an escape sequence does not.
@@ -40,12 +40,17 @@ class Glyphs:
         width = max(len(sign) for _, sign in self.marks)
         return dict(self.marks)[verdict].ljust(width)
 
+    def named(self, verdict: Verdict) -> str:
+        """Sign and word of a verdict, or the sign alone where it is a word."""
+        sign = dict(self.marks)[verdict]
+        return sign if sign.isalpha() else f"{sign} {verdict.value}"
+
 
 SIGNS = Glyphs(
     marks=(
         (Verdict.PASS, "✓"),
         (Verdict.FAIL, "✗"),
-        (Verdict.BLOCKED, "–"),
+        (Verdict.BLOCKED, "\N{EN DASH}"),
         (Verdict.BROKEN, "!"),
     ),
     gutter="│",
@@ -108,7 +113,7 @@ class Sheet:
             left = left.copy()
             left.truncate(room - 1)
             left.append(self.glyphs.rest)
-        gap = self.width - left.cell_len - right.cell_len
+        gap = self.width - left.cell_len - right.cell_len if right else 0
         self.lines.append(Text.assemble(left, " " * gap, right))
 
     def beside(self, label: str, text: str, style: str = "") -> None:

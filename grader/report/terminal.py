@@ -1,4 +1,4 @@
-"""How a grade is told in a terminal: score, parts, one line a check, the worst failure in full."""
+"""How does a terminal tell a grade? Score, parts, a line for each check, the worst in full."""
 
 from rich.console import Console
 from rich.text import Text
@@ -13,6 +13,13 @@ from grader.report.text import one_line
 
 STATEMENT_MIN = 24
 """Columns below which a cut statement says less than the check's name alone."""
+
+
+NAME_COLUMN = 35
+"""The longest name of a check; in a wide terminal all statements begin behind it."""
+
+COLUMNS_FROM = 100
+"""Width from which there is room for that."""
 
 
 def print_grade(console: Console, grade: Grade, occasion: Occasion) -> None:
@@ -37,7 +44,8 @@ def print_grade(console: Console, grade: Grade, occasion: Occasion) -> None:
 def header(sheet: Sheet, grade: Grade) -> None:
     """Name the submission and its score, and draw the score."""
     given = grade.submission
-    name = Text(one_line(given.student), "bold")
+    # A line that began with a stranger's `::error` would be a command to a workflow runner.
+    name = Text("bvhgrade  ", "dim").append(one_line(given.student), "bold")
     if not isinstance(given, Rejected) and one_line(given.path) != one_line(given.student):
         name.append(f"  {one_line(given.path)}", "dim")
     if grade.score is None or grade.needs_review:
@@ -54,15 +62,14 @@ def header(sheet: Sheet, grade: Grade) -> None:
 def rejected(sheet: Sheet, given: Rejected) -> None:
     """Say why nothing could be graded."""
     sign = sheet.glyphs.mark(Verdict.FAIL)
-    sheet.lines.append(Text.assemble((f"{sign} ", "red"), ("There is no file to grade", "bold")))
+    sheet.lines.append(Text(f"{sign} ", "red").append("There is no file to grade", "bold"))
     sheet.beside("", given.reason)
 
 
 def uncompiled(sheet: Sheet, grade: Grade) -> None:
     """Show what the compiler said, and that everything else hangs on it."""
     sign = sheet.glyphs.mark(Verdict.FAIL)
-    statement = ("exercise03.cpp does not compile", "bold")
-    sheet.lines.append(Text.assemble((f"{sign} ", "red"), statement))
+    sheet.lines.append(Text(f"{sign} ", "red").append("The file does not compile", "bold"))
     compile_errors(sheet, grade)
     sheet.blank()
     waiting = sum(score.verdict is Verdict.BLOCKED for score in grade.checks)
@@ -78,7 +85,7 @@ def every_part(sheet: Sheet, grade: Grade, occasion: Occasion) -> None:
     if shared:
         sheet.blank()
     for score in shared:
-        check_line(sheet, score, occasion)
+        check_line(sheet, score, worth(score, unknown), occasion)
     for part in grade.parts:
         scores = [score for score in grade.checks if score.part == part.part]
         if not scores:
@@ -89,31 +96,38 @@ def every_part(sheet: Sheet, grade: Grade, occasion: Occasion) -> None:
             sheet.say(idle[part.part], "yellow", indent=2)
             continue
         for score in scores:
-            check_line(sheet, score, occasion)
+            check_line(sheet, score, worth(score, unknown), occasion)
 
 
 def part_line(sheet: Sheet, part: PartScore, unknown: bool) -> None:
     """Write a part's title and points."""
-    worth = "withheld" if unknown else points(part.score, part.max_score)
-    title = Text.assemble((f"{part.part})  ", "bold"), (one_line(part.title), "bold"))
-    sheet.spread(title, Text(worth, "bold"))
+    earned = "withheld" if unknown else points(part.score, part.max_score)
+    title = Text(f"{part.part})  {one_line(part.title)}", "bold")
+    sheet.spread(title, Text(earned, "bold"))
 
 
-def check_line(sheet: Sheet, score: CheckScore, occasion: Occasion) -> None:
+def worth(score: CheckScore, unknown: frozenset[str]) -> str:
+    """Word what a check is worth."""
+    if score.check in unknown:
+        return "withheld"
+    return points(score.score, score.max_score) if score.max_score else "gate"
+
+
+def check_line(sheet: Sheet, score: CheckScore, earned: str, occasion: Occasion) -> None:
     """Write one check on one line: sign, name, as much of the statement as fits, points."""
     if score.visibility != "visible" and not occasion.tell_hidden:
         line = Text("  ").append(f"{score.check} is hidden by the rubric", "dim")
         sheet.spread(line, Text())
         return
     sign = sheet.glyphs.mark(score.verdict)
-    line = Text.assemble("  ", (f"{sign} ", STYLES[score.verdict]), score.check)
-    worth = Text(points(score.score, score.max_score) if score.max_score else "gate", "dim")
+    name = score.check.ljust(NAME_COLUMN if sheet.width >= COLUMNS_FROM else 0)
+    line = Text.assemble("  ", (f"{sign} ", STYLES[score.verdict]), name)
     remark = one_line(score.title)
     if score.verdict is Verdict.BLOCKED and score.blocked_by:
         remark = f"waits for {score.blocked_by}"
-    if sheet.width - line.cell_len - worth.cell_len - 4 >= STATEMENT_MIN:
+    if sheet.width - line.cell_len - len(earned) - 4 >= STATEMENT_MIN:
         line.append(f"  {remark}", "dim")
-    sheet.spread(line, worth)
+    sheet.spread(line, Text(earned, "dim"))
 
 
 def every_fault(sheet: Sheet, grade: Grade) -> None:
@@ -122,7 +136,7 @@ def every_fault(sheet: Sheet, grade: Grade) -> None:
     if not broken and not grade.needs_review:
         return
     sheet.blank()
-    sheet.say("The grader itself failed here; nothing is concluded about the submission:", "magenta")
+    sheet.say("The grader itself failed; nothing is concluded about the submission:", "magenta")
     for score in broken:
         sheet.beside("", f"{score.check}: {score.message}")
 
@@ -138,7 +152,7 @@ def worst_failure(sheet: Sheet, grade: Grade, occasion: Occasion) -> None:
 
 def footer(sheet: Sheet, grade: Grade, occasion: Occasion) -> None:
     """Say whether it was isolated, where the result lies and where the time went."""
-    if grade.provenance.isolation == "none":
+    if grade.provenance.isolation == "none" and grade.build is not None:
         sheet.say(
             "This run was not isolated: the submission could do what you can do.", "yellow"
         )

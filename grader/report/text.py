@@ -1,9 +1,9 @@
-"""How hostile text becomes text that every format may carry.
+"""How does hostile text become text that every format may carry?
 
 Names, printed output and compiler messages come from a stranger. They pass through `printable`
-exactly once on their way into a format; what comes out holds no escape sequence, no control
-character but newline and tab, no lone surrogate and no invisible or direction-changing
-character. Escaping what a format itself treats as special (markup, quotes) is that format's job.
+on their way into any format; what comes out holds no escape sequence, no control character but
+newline and tab, no lone surrogate, and no character that is invisible or changes direction.
+Escaping what a format itself treats as special (markup, quotes) is that format's job.
 """
 
 import re

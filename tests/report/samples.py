@@ -38,7 +38,7 @@ CALLS = CallGraph(
 
 CHECKS = (
     ("build.compiles", "both", 0, "The file compiles with the framework"),
-    ("bvh.is-readable", "a", 0, "The tree can be read: all ranges and face indices are in bounds"),
+    ("bvh.is-readable", "a", 0, "The tree can be read: ranges and face indices are in bounds"),
     ("bvh.root-holds-all-faces", "a", 1, "Node 0 holds all faces and the mesh's box"),
     (
         "bvh.face-indices-are-a-permutation",
@@ -52,7 +52,7 @@ CHECKS = (
         9,
         "The children at 2i+1 and 2i+2 share their parent's faces without loss or overlap",
     ),
-    ("bvh.boxes-are-tight", "a", 12, "Every node's box is exactly the box of its own triangles"),
+    ("bvh.boxes-are-tight", "a", 12, "Every node's box is exactly the one of its triangles"),
     ("work.uses-the-tree", "b", 2, "The tree decides which triangles are tested"),
     ("hits.closest-wins", "b", 20, "The closest of all hits is returned"),
     ("hits.survives-every-ray", "b", 3, "No ray ends the program"),
@@ -259,7 +259,7 @@ def uncompiled() -> Grade:
 
 def rejected() -> Grade:
     """Nothing that could be graded."""
-    reason = "the folder holds two files named exercise03.cpp: a/exercise03.cpp and b/exercise03.cpp"
+    reason = "the folder holds two exercise03.cpp: a/exercise03.cpp and b/exercise03.cpp"
     first = replace(check(0), verdict=Verdict.FAIL, wrong=1, examined=1, message=reason)
     grade = graded([first, *waiting(first.check)])
     return replace(grade, build=None, submission=Rejected("s0428", reason))

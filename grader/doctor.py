@@ -1,0 +1,186 @@
+"""What works on this machine, and what must be installed for the rest?"""
+
+import os
+import shutil
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache
+from importlib import metadata, util
+from pathlib import Path
+
+from grader.build.compiler import Compiler, find_compiler, sanitizer_runtime
+from grader.errors import GraderError
+from grader.oracle.variant import working_variant
+from grader.resources import cache_folder, reference_source, scenes_folder, stub_folder
+from grader.sandbox.launch import Order, launch
+
+PROBE_SECONDS = 20.0
+
+NEEDED_PACKAGES = ("numpy", "click", "rich", "trimesh", "embreex", "OpenEXR")
+RENDER_PACKAGES = ("mitsuba", "drjit")
+RENDER_REMEDY = "pip install 'bvhgrade[render]'"
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """One thing that was looked at."""
+
+    subject: str
+    ok: bool
+    state: str
+    """What was found: a version, a size, or why it does not work."""
+
+    remedy: str = ""
+    """What to install or to do; empty if nothing."""
+
+    needed: bool = True
+    """Grading does not work without it."""
+
+
+def examine() -> tuple[Finding, ...]:
+    """Look at everything that grading and rendering need."""
+    found = [python(), compiler(), sanitizers(), program("cmake"), program("make")]
+    found += [package(name) for name in NEEDED_PACKAGES]
+    found += [package(name, RENDER_REMEDY) for name in RENDER_PACKAGES]
+    found += [mitsuba(), own_files(), cache_state(), isolation(), processors()]
+    return tuple(found)
+
+
+def able(findings: tuple[Finding, ...]) -> bool:
+    """Grading works: nothing that it needs is missing."""
+    return all(finding.ok for finding in findings if finding.needed)
+
+
+def python() -> Finding:
+    """Name the interpreter."""
+    return Finding("Python", ok=True, state=f"{sys.version.split()[0]} ({sys.executable})")
+
+
+def guarded(subject: str, needed: bool, look: Callable[[], Finding]) -> Finding:
+    """Turn a fault that was met while looking into a finding with its own words."""
+    try:
+        return look()
+    except GraderError as fault:
+        state, _, remedy = str(fault).partition("; ")
+        return Finding(subject, ok=False, state=state, remedy=remedy, needed=needed)
+
+
+@cache
+def chosen() -> Compiler:
+    """Find the compiler once."""
+    return find_compiler()
+
+
+def compiler() -> Finding:
+    """Name the compiler that submissions are built with."""
+    return guarded(
+        "compiler",
+        True,
+        lambda: Finding("compiler", True, f"{chosen().title}, {chosen().path}"),
+    )
+
+
+def sanitizers() -> Finding:
+    """Look for the sanitizers' runtime libraries, which memory checks need."""
+
+    def look() -> Finding:
+        return Finding("sanitizers", True, sanitizer_runtime(chosen()))
+
+    return guarded("sanitizers", True, look)
+
+
+def program(name: str) -> Finding:
+    """Look for a program on the path and ask its version."""
+    path = shutil.which(name)
+    if path is None:
+        return Finding(name, ok=False, state="not found", remedy=f"apt install {name}")
+
+    def look() -> Finding:
+        outcome = launch(Order((path, "--version"), PROBE_SECONDS))
+        first = outcome.out.decode("utf-8", "replace").split("\n")[0].strip()
+        if outcome.code != 0:
+            remedy = f"apt install --reinstall {name}"
+            return Finding(name, ok=False, state=f"{path} does not run", remedy=remedy)
+        return Finding(name, ok=True, state=first)
+
+    return guarded(name, True, look)
+
+
+def package(name: str, remedy: str = "") -> Finding:
+    """Look for a Python package; one with a remedy of its own is not needed to grade."""
+    try:
+        if util.find_spec(name) is None:
+            raise metadata.PackageNotFoundError
+        return Finding(name, True, metadata.version(name), needed=not remedy)
+    except metadata.PackageNotFoundError:
+        install = remedy or f"pip install {name}"
+        return Finding(name, False, "not installed", install, needed=not remedy)
+
+
+def mitsuba() -> Finding:
+    """Say which variant renders references, and why not the faster one."""
+    subject = "rendering"
+    if util.find_spec("mitsuba") is None:
+        return Finding(subject, False, "stored references are used", RENDER_REMEDY, False)
+
+    def look() -> Finding:
+        variant = working_variant()
+        fast = variant.library is not None
+        remedy = "" if fast else "apt install libllvm19 for the faster llvm_ad_rgb (optional)"
+        return Finding(subject, True, f"{variant.name}: {variant.because}", remedy, False)
+
+    return guarded(subject, False, look)
+
+
+def own_files() -> Finding:
+    """Look for the framework, the model solution and the scenes."""
+    subject = "own files"
+
+    def look() -> Finding:
+        paths = (stub_folder(), reference_source(), scenes_folder())
+        missing = [str(path) for path in paths if not path.exists()]
+        if missing:
+            remedy = "install bvhgrade again"
+            return Finding(subject, False, f"{', '.join(missing)} not found", remedy)
+        return Finding(subject, True, str(stub_folder().parent))
+
+    return guarded(subject, True, look)
+
+
+def cache_state() -> Finding:
+    """Say where the cache lies, how large it is, and whether it can be written."""
+    subject = "cache"
+
+    def look() -> Finding:
+        folder = cache_folder()
+        if not os.access(folder, os.W_OK):
+            remedy = "set BVHGRADE_CACHE to a folder that can be written"
+            return Finding(subject, False, f"{folder} cannot be written", remedy)
+        return Finding(subject, True, f"{folder}, {size_of(folder) / 2**20:.0f} MiB")
+
+    return guarded(subject, True, look)
+
+
+def size_of(folder: Path) -> int:
+    """Sum the sizes of the files below a folder, in bytes; links are not followed."""
+    total = 0
+    for root, _, names in os.walk(folder):
+        for name in names:
+            try:
+                total += (Path(root) / name).lstat().st_size
+            except OSError:
+                continue
+    return total
+
+
+def isolation() -> Finding:
+    """Say that submissions run with the caller's rights."""
+    state = "none: a submission can do what you can do; isolation is not built in yet"
+    remedy = "grade only code that you would run yourself, or use a container"
+    return Finding("isolation", False, state, remedy, needed=False)
+
+
+def processors() -> Finding:
+    """Count the processors that this process may use."""
+    return Finding("processors", ok=True, state=str(len(os.sched_getaffinity(0))))

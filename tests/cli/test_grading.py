@@ -1,0 +1,303 @@
+"""`check` and `grade`: results, exit statuses, and every way of calling them wrongly."""
+
+import json
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+from types import ModuleType
+
+import pytest
+from click.testing import CliRunner, Result
+
+from grader.cli import cli
+from grader.errors import BuildFault, MissingTool, UsageError
+from grader.model.grade import Grade
+from tests.report import samples
+
+FILE = "src/exercise03.cpp"
+WRITTEN = "bvhgrade-out/result.json"
+
+
+@dataclass(frozen=True, slots=True)
+class Options:
+    """The pipeline's options, as the commands are to fill them."""
+
+    seed: int
+    rubric: Path | None
+    only: tuple[str, ...]
+    progress: Callable[[str, int, int], None]
+
+
+class Pipeline(ModuleType):
+    """Stands in for the pipeline's module and remembers what it was asked."""
+
+    Options = Options
+
+    def __init__(self) -> None:
+        super().__init__("grader.pipeline")
+        self.asked: list[tuple[Path, Options]] = []
+        self.answer: Callable[[], Grade] = samples.perfect
+
+    def grade_one(self, path: Path, options: Options) -> Grade:
+        """Answer with a grade made by hand."""
+        self.asked.append((path, options))
+        options.progress("building", 1, 3)
+        return self.answer()
+
+    def fail(self, fault: BaseException) -> None:
+        """Raise instead of answering."""
+
+        def answer() -> Grade:
+            raise fault
+
+        self.answer = answer
+
+
+@pytest.fixture
+def pipeline(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Pipeline:
+    """Replace the pipeline, and start in a student's folder with a cache of its own."""
+    stand_in = Pipeline()
+    monkeypatch.setitem(sys.modules, "grader.pipeline", stand_in)
+    monkeypatch.setenv("BVHGRADE_CACHE", str(tmp_path / "cache"))
+    here = tmp_path / "here"
+    (here / "src").mkdir(parents=True)
+    (here / FILE).write_text("int main() {}\n")
+    monkeypatch.chdir(here)
+    return stand_in
+
+
+def call(*words: str) -> Result:
+    """Run the command line in this process."""
+    return CliRunner().invoke(cli, words)
+
+
+@pytest.mark.parametrize(
+    ("name", "status"),
+    [
+        ("perfect", 0),
+        ("failing", 1),
+        ("starter", 1),
+        ("uncompiled", 1),
+        ("rejected", 1),
+        ("broken", 3),
+    ],
+)
+def test_check_tells_full_marks_lost_points_and_our_fault_apart(
+    pipeline: Pipeline, name: str, status: int
+) -> None:
+    """And writes a result in every case."""
+    pipeline.answer = samples.EVERY[name]
+    result = call("check", FILE)
+    assert result.exit_code == status
+    assert json.loads(Path(WRITTEN).read_text())["schema"] == 1
+    assert WRITTEN in result.stdout
+
+
+@pytest.mark.parametrize("name", samples.EVERY)
+def test_grade_succeeds_whenever_there_is_a_grade(pipeline: Pipeline, name: str) -> None:
+    """Only a withheld score is our fault, and even then the result is written."""
+    pipeline.answer = samples.EVERY[name]
+    result = call("grade", FILE, "-o", "deep/er")
+    assert result.exit_code == (3 if name == "broken" else 0)
+    written = json.loads(Path("deep/er/result.json").read_text())
+    assert (written["score"] is None) == (name == "broken")
+    assert [path.name for path in Path("deep/er").iterdir()] == ["result.json"]
+
+
+def test_options_reach_the_pipeline(pipeline: Pipeline) -> None:
+    """Nothing that was typed is lost."""
+    Path("own.toml").write_text("")
+    call("check", FILE, "--only", "a.b", "--only", "c.d", "--seed", "7", "--rubric", "own.toml")
+    ((path, options),) = pipeline.asked
+    assert path == Path(FILE)
+    assert (options.seed, options.rubric) == (7, Path("own.toml"))
+    assert options.only == ("a.b", "c.d")
+
+
+def test_the_default_seed_is_the_same_for_both(pipeline: Pipeline) -> None:
+    """A student sees at home what the course sees."""
+    call("check", FILE)
+    call("grade", FILE)
+    assert {options.seed for _, options in pipeline.asked} == {41}
+
+
+def test_check_finds_the_student_s_own_file(pipeline: Pipeline) -> None:
+    """In the framework's folder, else in the stub beside the grader."""
+    call("check")
+    Path(FILE).unlink()
+    Path("student_stub/src").mkdir(parents=True)
+    Path("student_stub", FILE).write_text("")
+    call("check")
+    assert [path for path, _ in pipeline.asked] == [Path(FILE), Path("student_stub", FILE)]
+
+
+def test_check_says_where_it_looked(pipeline: Pipeline) -> None:
+    """Somebody in the wrong folder learns what to type."""
+    Path(FILE).unlink()
+    result = call("check")
+    assert result.exit_code == 2
+    assert FILE in result.stderr
+    assert "bvhgrade check FILE" in result.stderr
+    assert not pipeline.asked
+
+
+def test_the_repeated_command_can_be_pasted(pipeline: Pipeline) -> None:
+    """Also from a folder with a space in its name, with another seed and rubric."""
+    pipeline.answer = samples.failing
+    Path("my code").mkdir()
+    Path("my code/own.toml").write_text("")
+    Path(FILE).rename("my code/exercise03.cpp")
+    result = call("check", "my code", "--seed", "3", "--rubric", "my code/own.toml")
+    command = "bvhgrade check 'my code' --seed 3 --rubric 'my code/own.toml' --only hits."
+    assert command in result.stdout
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["check", "nowhere.cpp"],
+        ["grade", "nowhere.cpp"],
+        ["grade"],
+        ["grade", FILE, "--seed", "minus"],
+        ["grade", FILE, "--seed", "-1"],
+        ["grade", FILE, "--seed", "4294967296"],
+        ["grade", FILE, "--format", "html"],
+        ["grade", FILE, "--rubric", "nowhere.toml"],
+        ["grade", FILE, "--rubric", "src"],
+        ["grade", FILE, "extra"],
+        ["check", "--unknown"],
+        ["check", "--only"],
+        ["unknown"],
+        ["grade", FILE, "-o", FILE],
+        ["grade", FILE, "-o", f"{FILE}/below"],
+        ["grade", FILE, "-o", "/dev/null/x"],
+        ["grade", FILE, "-o", "/proc/nowhere"],
+        ["grade", FILE, "-o", "a\nb" + "x" * 300],
+    ],
+)
+def test_wrong_usage_is_found_before_grading(pipeline: Pipeline, words: list[str]) -> None:
+    """Exit status 2, a sentence, no traceback."""
+    result = call(*words)
+    assert result.exit_code == 2
+    assert result.stderr
+    assert "Traceback" not in result.output
+    assert not pipeline.asked
+
+
+def test_a_result_that_is_a_folder_is_found_before_grading(pipeline: Pipeline) -> None:
+    """It could not be replaced afterwards."""
+    Path("out/result.json").mkdir(parents=True)
+    result = call("grade", FILE, "-o", "out")
+    assert result.exit_code == 2
+    assert not pipeline.asked
+
+
+def test_check_falls_back_on_the_cache_if_nothing_may_be_written_here(
+    pipeline: Pipeline, tmp_path: Path
+) -> None:
+    """A student may grade from a medium that cannot be written."""
+    Path("bvhgrade-out").write_text("in the way")
+    result = call("check", FILE)
+    assert result.exit_code == 0
+    assert (tmp_path / "cache" / "bvhgrade-out" / "result.json").is_file()
+
+
+@pytest.mark.parametrize(
+    ("fault", "status"),
+    [
+        (UsageError("hits.closest is no check; did you mean hits.closest-wins"), 2),
+        (MissingTool("a C++ compiler is not installed"), 3),
+        (BuildFault("the framework did not build:\n::error::x\n\x1b[31mred"), 3),
+    ],
+)
+def test_known_faults_end_with_a_sentence(
+    pipeline: Pipeline, fault: Exception, status: int
+) -> None:
+    """Only the first kind is the caller's, and no text in them acts."""
+    pipeline.fail(fault)
+    result = call("grade", FILE)
+    assert result.exit_code == status
+    assert all(line.startswith("bvhgrade: ") for line in result.stderr.splitlines())
+    assert "\x1b" not in result.output
+    assert not Path(WRITTEN).exists()
+
+
+def test_an_unforeseen_fault_keeps_its_traceback_in_a_file(
+    pipeline: Pipeline, tmp_path: Path
+) -> None:
+    """One sentence is shown, with the place of the rest."""
+    pipeline.fail(KeyError("secret detail"))
+    result = call("check", FILE)
+    assert result.exit_code == 3
+    assert "KeyError" in result.stderr
+    assert "secret detail" not in result.output
+    assert "Traceback" not in result.output
+    (kept,) = (tmp_path / "cache" / "faults").iterdir()
+    assert str(kept) in result.stderr
+    assert "secret detail" in kept.read_text()
+
+
+def test_a_traceback_survives_without_a_cache(
+    pipeline: Pipeline, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The temporary folder holds it then."""
+    monkeypatch.setenv("BVHGRADE_CACHE", f"{FILE}/cache")
+    pipeline.fail(ZeroDivisionError())
+    result = call("grade", FILE)
+    assert result.exit_code == 3
+    kept = Path(result.stderr.rsplit(" ", 1)[1].strip())
+    assert "ZeroDivisionError" in kept.read_text()
+    kept.unlink()
+
+
+@pytest.mark.parametrize("fault", [KeyboardInterrupt(), SystemExit(7)])
+def test_an_interruption_leaves_the_old_result(
+    pipeline: Pipeline, fault: BaseException
+) -> None:
+    """Nothing is half written."""
+    call("grade", FILE)
+    before = Path(WRITTEN).read_bytes()
+    pipeline.fail(fault)
+    result = call("grade", FILE, "--seed", "9")
+    assert result.exit_code == (130 if isinstance(fault, KeyboardInterrupt) else 7)
+    assert Path(WRITTEN).read_bytes() == before
+    assert len(list(Path("bvhgrade-out").iterdir())) == 1
+
+
+def test_a_result_that_cannot_be_replaced_is_our_fault(
+    pipeline: Pipeline, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A full disk leaves the old result and no rest of the new one."""
+
+    def full(self: Path, target: Path) -> Path:
+        raise OSError(28, "No space left on device", str(target))
+
+    call("grade", FILE)
+    before = Path(WRITTEN).read_bytes()
+    monkeypatch.setattr(Path, "replace", full)
+    result = call("grade", FILE, "--seed", "9")
+    assert result.exit_code == 3
+    assert "No space left" in result.stderr
+    assert Path(WRITTEN).read_bytes() == before
+    assert len(list(Path("bvhgrade-out").iterdir())) == 1
+
+
+@pytest.mark.parametrize(
+    ("name", "line"),
+    [
+        ("failing", "10.5 of 50  s0427"),
+        ("broken", "withheld of 50  s0427"),
+        ("rejected", "0 of 50  s0428"),
+    ],
+)
+def test_quiet_prints_one_line(pipeline: Pipeline, name: str, line: str) -> None:
+    """Points first, so that no name of a student begins a line."""
+    pipeline.answer = samples.EVERY[name]
+    assert call("grade", FILE, "--quiet").stdout == line + "\n"
+
+
+def test_a_grade_without_any_check_is_no_success(pipeline: Pipeline) -> None:
+    """What examined nothing never passes."""
+    pipeline.answer = lambda: replace(samples.perfect(), checks=())
+    assert call("check", FILE).exit_code == 1

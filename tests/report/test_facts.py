@@ -1,0 +1,77 @@
+"""What all formats say alike: names of functions, what is withheld, what is worst."""
+
+from dataclasses import replace
+
+import pytest
+
+from grader.model.verdict import Verdict
+from grader.report.facts import place, plain_name, withheld, worst
+from tests.report import samples
+
+
+@pytest.mark.parametrize(
+    ("mangled", "name"),
+    [
+        ("_ZN3BVH9constructERK4Mesh", "BVH::construct"),
+        ("_Z9intersectRK4MeshRK15IntersectionRay", "intersect"),
+        ("_ZL5boxOfRK4Meshj", "boxOf"),
+        ("_ZN12_GLOBAL__N_15splitEv", "split"),
+        ("_ZNK3BVH4sizeEv", "BVH::size"),
+        ("_ZN3BVHC2Ev", "BVH"),
+        ("_ZNSt6vectorIiE4sizeEv", ""),
+        ("main", ""),
+        ("_Z999x", "x"),
+        ("", ""),
+    ],
+)
+def test_names_are_read_out_of_mangled_ones(mangled: str, name: str) -> None:
+    """Simple and nested names are; anything rarer gives nothing or a beginning."""
+    assert plain_name(mangled) == name
+
+
+def test_a_line_before_every_function_falls_back_on_the_part() -> None:
+    """The place is still named."""
+    score = replace(samples.loose_boxes(), line=1)
+    found = place(samples.changed(c5=score), score)
+    assert found is not None
+    assert (found.line, found.function, found.exact) == (1, "BVH::construct", True)
+
+
+def test_without_a_call_graph_the_function_has_no_line() -> None:
+    """Nothing is invented."""
+    grade = samples.failing()
+    grade = replace(grade, build=replace(samples.BUILD, calls=None))
+    found = place(grade, samples.first_hit_wins())
+    assert found is not None
+    assert (found.line, found.function) == (None, "intersect")
+
+
+def test_what_waits_for_a_withheld_check_is_withheld_too() -> None:
+    """Also over several steps, in any order."""
+    fault = replace(samples.check(8), verdict=Verdict.BROKEN)
+    middle = replace(samples.check(7), verdict=Verdict.BLOCKED, blocked_by=fault.check)
+    last = replace(samples.check(6), verdict=Verdict.BLOCKED, blocked_by=middle.check)
+    other = replace(samples.check(5), verdict=Verdict.BLOCKED, blocked_by="bvh.is-readable")
+    grade = samples.changed(c5=other, c6=last, c7=middle, c8=fault)
+    assert withheld(grade) == {fault.check, middle.check, last.check}
+
+
+def test_the_worst_failure_is_the_one_that_costs_most() -> None:
+    """What it blocks counts with it."""
+    cheap = replace(samples.check(2), verdict=Verdict.FAIL, score=0)
+    hits = replace(samples.first_hit_wins(), score=15)
+    alone = worst(samples.changed(c2=cheap, c7=hits))
+    assert alone is not None
+    assert alone.check == "hits.closest-wins"
+    blocked = replace(
+        samples.check(4), verdict=Verdict.BLOCKED, score=0, blocked_by=cheap.check
+    )
+    together = worst(samples.changed(c2=cheap, c4=blocked, c7=hits))
+    assert together is not None
+    assert together.check == cheap.check
+
+
+def test_nothing_is_worst_in_a_perfect_or_an_unstarted_submission() -> None:
+    """There is nothing to explain."""
+    assert worst(samples.perfect()) is None
+    assert worst(samples.starter()) is None

@@ -1,0 +1,144 @@
+"""The terminal report keeps its layout at every width and lets no hostile text act."""
+
+import re
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from grader.model.grade import Grade
+from grader.model.stages import Diagnostic, Rejected
+from grader.report.failure import Occasion
+from tests.report import samples
+from tests.report.goldens import FOLDER, OCCASION, SCREENS, Screen, cases, printed
+from tests.report.hostile import HOSTILE
+
+COMMAND = "bvhgrade check src/exercise03.cpp --seed 41 --only hits.closest-wins"
+STYLE = re.compile(r"\x1b\[[0-9;]*m")
+
+
+@pytest.mark.parametrize("name", cases())
+def test_reports_are_the_golden_ones(name: str) -> None:
+    """If a change is wanted, `python -m tests.report.goldens` writes them anew."""
+    sample, screen = cases()[name]
+    report = printed(samples.EVERY[sample](), SCREENS[screen])
+    assert report == (FOLDER / name).read_bytes()
+
+
+def test_no_golden_file_is_left_over() -> None:
+    """Every file belongs to a case."""
+    assert {path.name for path in FOLDER.iterdir()} == set(cases())
+
+
+@pytest.mark.parametrize("name", samples.EVERY)
+@pytest.mark.parametrize("width", [56, 57, 72, 80, 99, 100, 120, 200])
+def test_lines_fit_and_commands_stay_whole(name: str, width: int) -> None:
+    """Only a command may be longer than the terminal is wide."""
+    report = printed(samples.EVERY[name](), Screen(width=width)).decode()
+    for line in report.splitlines():
+        assert len(line) <= min(width, 120) or "bvhgrade check" in line
+    assert (COMMAND in report) == (name == "failing")
+
+
+def test_the_order_of_a_failure_is_kept() -> None:
+    """What happened, numbers, expected, got, where, hint, again."""
+    report = printed(samples.changed(c5=samples.loose_boxes()), Screen()).decode()
+    block = report[report.index("✗ fail") :]
+    words = ["reaches out", "example", "expected", "got", "look at", "> ", "hint", "again"]
+    places = [block.index(word) for word in words]
+    assert places == sorted(places)
+    assert ":7 in boxOf" in block
+
+
+def test_the_statement_s_line_is_shown_only_where_it_is_known() -> None:
+    """A failure that is known by its function gets no excerpt."""
+    assert "> " not in printed(samples.failing(), Screen()).decode()
+
+
+def test_colours_are_a_terminal_s_only() -> None:
+    """A pipe gets none, and NO_COLOR takes them away from a terminal."""
+    grade = samples.failing()
+    assert b"\x1b" not in printed(grade, Screen())
+    assert b"\x1b[31m" in printed(grade, Screen(terminal=True))
+    plain = printed(grade, Screen(terminal=True, no_color=True))
+    assert not re.search(rb"\x1b\[[0-9;]*3[0-7]m", plain)
+
+
+def test_an_encoding_without_signs_gets_words() -> None:
+    """Ticks become ok, FAIL and --."""
+    report = printed(samples.failing(), Screen(encoding="cp1252")).decode("cp1252")
+    for line in ("  ok   bvh.is-readable", "  FAIL hits.closest-wins", "  --   bvh.children"):
+        assert line in report
+    assert report.isascii()
+
+
+def test_text_that_the_encoding_lacks_is_written_as_its_code() -> None:
+    """A Greek letter in a message does not end the program."""
+    grade = samples.changed(c5=samples.loose_boxes("\u03b1 > \u4e2d"))
+    report = printed(grade, Screen(encoding="cp1252")).decode("cp1252")
+    assert "\\u03b1 > \\u4e2d" in report
+
+
+@pytest.mark.parametrize("screen", ["56", "120", "color", "cp1252"])
+@pytest.mark.parametrize("name", HOSTILE)
+def test_hostile_text_does_not_act(name: str, screen: str) -> None:
+    """No escape sequence but our own styles, no command for a workflow, no lost gutter."""
+    text = HOSTILE[name]
+    score = replace(samples.loose_boxes(text), expected=text, got=text, hint=text, title=text)
+    given = replace(
+        samples.SUBMISSION, student=text, path=text, source=text.encode("utf-8", "replace") * 8
+    )
+    grade = replace(samples.changed(c5=replace(score, line=1)), submission=given)
+    said = (Diagnostic(1, 1, "error", text),) * 9
+    failed = replace(
+        samples.uncompiled(), build=replace(samples.BUILD, library=None, diagnostics=said)
+    )
+    refused = replace(samples.rejected(), submission=Rejected(text, text))
+    for each in (grade, failed, refused):
+        report = STYLE.sub("", decoded(each, screen))
+        assert not {"\x1b", "\x9b", "\x00", "\r", "\x08", "\u202e"} & set(report)
+        assert not re.search(r"^\s*::", report, re.MULTILINE)
+        assert len(report) < 60_000
+
+
+def decoded(grade: Grade, screen: str) -> str:
+    """Print on one of the screens and read it back."""
+    return printed(grade, SCREENS[screen]).decode(SCREENS[screen].encoding)
+
+
+def test_markup_is_only_text() -> None:
+    """Brackets survive as they were written."""
+    text = HOSTILE["markup"]
+    assert text in decoded(samples.changed(c5=samples.loose_boxes(text)), "120")
+
+
+def test_what_the_rubric_hides_is_not_explained_to_students() -> None:
+    """The check is named, its verdict is not."""
+    hidden = replace(samples.first_hit_wins(), visibility="hidden")
+    grade = samples.changed(c7=hidden)
+    student = printed(grade, Screen(), replace(OCCASION, tell_hidden=False)).decode()
+    teacher = printed(grade, Screen()).decode()
+    assert "hits.closest-wins is hidden by the rubric" in student
+    assert "closer hit" not in student
+    assert "closer hit" in teacher
+
+
+def test_an_isolated_run_is_not_called_unisolated() -> None:
+    """The sentence stands only where it is true."""
+    isolated = replace(samples.PROVENANCE, isolation="bubblewrap+seccomp")
+    grade = replace(samples.perfect(), provenance=isolated)
+    assert "not isolated" in printed(samples.perfect(), Screen()).decode()
+    assert "not isolated" not in printed(grade, Screen()).decode()
+
+
+def test_without_a_command_or_a_file_neither_is_named() -> None:
+    """A report may be printed from a stored grade."""
+    report = printed(samples.failing(), Screen(), Occasion("")).decode()
+    assert "again" not in report
+    assert "result " not in report
+
+
+def test_paths_are_shown_as_they_are() -> None:
+    """A folder named like markup is a folder."""
+    where = replace(OCCASION, written=Path("[bold]x/result.json"))
+    assert "[bold]x/result.json" in printed(samples.perfect(), Screen(), where).decode()
