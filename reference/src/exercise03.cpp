@@ -80,9 +80,11 @@ void BVH::construct(const Mesh& mesh) {
         unsplit.push_back(left);
     }
 
-    faceIndices.resize(faces.size());
-    std::transform(faces.begin(), faces.end(), faceIndices.begin(),
-                   [](const Face& face) { return face.index; });
+    faceIndices.clear();
+    faceIndices.reserve(faces.size());
+    for (const Face& face : faces) {
+        faceIndices.push_back(face.index);
+    }
 }
 
 Intersection intersect(const Mesh& mesh, const IntersectionRay& ray) {
