@@ -1,10 +1,10 @@
 """What does Mitsuba see? Renders the reference picture of a scene.
 
-Theory of operation. Rays are Mitsuba's own, one through each pixel's centre, and are stored with
-the picture, so that no second camera model has to agree with Mitsuba's. Mitsuba starts its rays
-at the near plane and measures depth from there; with a near plane of 1e-10 that is the camera's
-position to the last bit, and a depth is the `t` of the stored ray. Embree's default
-intersector loses hits on edges, so the robust one is asked for.
+Theory of operation. Rays are Mitsuba's own, one through each pixel's centre, and are stored
+with the picture, so that no second camera model has to agree with Mitsuba's. Mitsuba starts
+its rays at the near plane and measures depth from there; with a near plane of 1e-10 that is
+the camera's position to the last bit, and a depth is the `t` of the stored ray. Embree's
+default intersector loses hits on edges, so the robust one is asked for.
 """
 
 import os

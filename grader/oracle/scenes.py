@@ -2,7 +2,7 @@
 
 import hashlib
 import tomllib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -11,9 +11,11 @@ from typing import Any
 import numpy as np
 
 from grader.errors import OracleFault, UsageError
-from grader.model.mesh import Mesh
+from grader.model.mesh import Bvh, Mesh
 from grader.model.scene import Camera, Reference, Scene
+from grader.model.trials import ImageTrial
 from grader.oracle.exr import read_reference, write_reference
+from grader.oracle.pictures import picture_answers, require_agreement
 from grader.oracle.procedural import nested_spheres, primitive_grid
 from grader.oracle.storage import load_mesh_file, mesh_sha256
 from grader.resources import scenes_folder
@@ -121,6 +123,21 @@ def scenes_sha256() -> str:
     return digest.hexdigest()
 
 
+def image_trials(trees: Callable[[Sequence[Mesh]], list[Bvh]]) -> list[ImageTrial]:
+    """Prepare the pictures that a submission has to reproduce.
+
+    Args:
+        trees: Builds the reference's tree of each mesh.
+
+    Raises:
+        OracleFault: A mesh or picture is missing, damaged or stale, or contradicts the rule.
+    """
+    described = scenes()
+    meshes = {scene.mesh: load_mesh(scene.mesh) for scene in described}
+    built = dict(zip(meshes, trees(tuple(meshes.values())), strict=True))
+    return [_trial(scene, meshes[scene.mesh], built[scene.mesh]) for scene in described]
+
+
 def list_scenes() -> tuple[SceneStatus, ...]:
     """Say of each scene how big it is and whether its reference can be used."""
     return tuple(_status(scene) for scene in scenes())
@@ -177,6 +194,25 @@ def _scene(table: Mapping[str, Any]) -> Scene:
         albedo=tuple(table["albedo"]),
         width=table["width"],
         height=table["height"],
+    )
+
+
+def _trial(scene: Scene, mesh: Mesh, tree: Bvh) -> ImageTrial:
+    """Prepare one picture."""
+    from grader.oracle.brute import answers as find_answers
+
+    picture = load_reference(scene, mesh)
+    answers = picture_answers(find_answers, mesh, tree, picture)
+    require_agreement(scene.name, answers, picture.t)
+    return ImageTrial(
+        name=scene.name,
+        mesh=mesh,
+        tree=tree,
+        width=scene.width,
+        height=scene.height,
+        rays=picture.rays,
+        answers=answers,
+        mitsuba_t=picture.t,
     )
 
 
