@@ -269,6 +269,8 @@ void ex03_reset_counters(void) {
 uint64_t ex03_last_error(char* out, uint64_t capacity) {
     const auto& text = lastFailure.text;
     const uint64_t length = std::strlen(text.data());
-    std::memcpy(out, text.data(), std::min(length + 1, capacity));
+    if (capacity > 0) {
+        std::memcpy(out, text.data(), std::min(length + 1, capacity));
+    }
     return length;
 }
