@@ -7,7 +7,7 @@ from pathlib import Path
 import click
 from click.exceptions import Exit
 
-from grader.cli.output import RESULT, ready, write_whole
+from grader.cli.output import RESULT, patient_stdout, ready, write_whole
 from grader.cli.progress import shown_progress
 from grader.cli.status import FULL_MARKS, LOST_POINTS, OUR_FAULT
 from grader.errors import UsageError
@@ -65,7 +65,8 @@ def check(
     folder = own_folder()
     result = graded(order)
     written = stored(folder, result)
-    report(result, order, written, tell_hidden=False)
+    with patient_stdout():
+        report(result, order, written, tell_hidden=False)
     raise Exit(status_of_check(result))
 
 
@@ -101,10 +102,11 @@ def grade(submission: Path, output: Path, seed: int, rubric: Path | None, quiet:
     folder = ready(output)
     result = graded(order)
     written = stored(folder, result)
-    if quiet:
-        click.echo(points_only(result))
-    else:
-        report(result, order, written, tell_hidden=True)
+    with patient_stdout():
+        if quiet:
+            click.echo(points_only(result))
+        else:
+            report(result, order, written, tell_hidden=True)
     raise Exit(OUR_FAULT if is_withheld(result) else FULL_MARKS)
 
 

@@ -1,8 +1,16 @@
 """The commands that speak of scenes: which there are, and their Mitsuba references."""
 
+from typing import TYPE_CHECKING
+
 import click
+from click.exceptions import Exit
 
 from grader.cli.progress import shown_progress
+from grader.cli.status import FULL_MARKS, OUR_FAULT
+from grader.report.text import one_line
+
+if TYPE_CHECKING:
+    from grader.oracle.scenes import SceneStatus
 
 
 @click.group()
@@ -11,19 +19,40 @@ def scenes() -> None:
 
 
 @scenes.command(name="list")
-def list_all() -> None:
-    """List the scenes and whether their references are at hand."""
+def list_command() -> None:
+    """List the scenes and whether their references can be used.
+
+    Exit status: 0 all can be used, 3 one cannot.
+    """
     from grader.oracle.scenes import list_scenes
 
-    for scene in list_scenes():
-        click.echo(scene)
+    tell(list_scenes())
 
 
-@scenes.command()
+@scenes.command(name="render")
 @click.argument("names", nargs=-1)
-def render(names: tuple[str, ...]) -> None:
-    """Render the Mitsuba references of NAMES, or of all scenes."""
+def render_command(names: tuple[str, ...]) -> None:
+    """Render the references of the scenes NAMES, or of all, anew.
+
+    Needs Mitsuba: pip install 'bvhgrade[render]'.
+
+    Exit status: 0 all were rendered, 2 no such scene, 3 one could not be rendered.
+    """
     from grader.oracle.scenes import render_scenes
 
     with shown_progress() as progress:
-        render_scenes(names, progress)
+        rendered = render_scenes(names, lambda step: progress(step, 0, 0))
+    tell(rendered)
+
+
+def tell(found: "tuple[SceneStatus, ...]") -> None:
+    """Print one line a scene, and end with the status that belongs to them."""
+    width = max((len(status.scene.name) for status in found), default=0)
+    for status in found:
+        scene = status.scene
+        size = f"{scene.width} x {scene.height}"
+        known = f"{status.faces:>9,} faces  {size:>11}  {status.reference_mib:>5.1f} MiB"
+        click.echo(f"{scene.name:<{width}}  {known}  {one_line(scene.title)}")
+        if status.problem:
+            click.echo(f"{'':<{width}}  -> {one_line(status.problem)}")
+    raise Exit(OUR_FAULT if any(status.problem for status in found) else FULL_MARKS)

@@ -14,7 +14,7 @@ from grader.errors import OutputFault
 from grader.model.grade import CheckScore, Grade, Timing
 from grader.model.stages import Build, Diagnostic, Rejected, Submission
 from grader.model.verdict import Example
-from grader.report.facts import FILE, place, unstarted, withheld
+from grader.report.facts import FILE, place, withheld
 from grader.report.text import one_line, printable
 
 Json = dict[str, Any]
@@ -79,7 +79,7 @@ def one_check(grade: Grade, score: CheckScore, unknown: bool) -> Json:
         "visibility": score.visibility,
         "examined": score.examined,
         "wrong": score.wrong,
-        "message": message(grade, score),
+        "message": printable(score.message),
         "expected": printable(score.expected),
         "got": printable(score.got),
         "hint": printable(score.hint),
@@ -90,14 +90,6 @@ def one_check(grade: Grade, score: CheckScore, unknown: bool) -> Json:
         "counterexample": None,
         "seconds": None,
     }
-
-
-def message(grade: Grade, score: CheckScore) -> str:
-    """Say what happened; in a part that was not started, say only that."""
-    idle = unstarted(grade).get(score.part)
-    if idle is not None and score.verdict.value in ("fail", "blocked"):
-        return idle
-    return printable(score.message)
 
 
 def example(given: Example) -> Json:

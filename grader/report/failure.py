@@ -42,8 +42,6 @@ def explain(sheet: Sheet, grade: Grade, score: CheckScore, occasion: Occasion) -
     happened = printable(score.message)
     if happened:
         sheet.beside("", happened)
-    if score.wrong and score.examined:
-        sheet.beside("", f"{score.wrong:,} of {score.examined:,} looked at are wrong.", "dim")
     for label, told in examples(score, happened):
         sheet.beside(label, told)
     if score.expected:

@@ -150,15 +150,12 @@ class Sheet:
         return [line.plain.rstrip() for line in plain.wrap(self.console, max(width, 16))]
 
     def show(self) -> None:
-        """Print all lines at once; a reader that went away is not an error."""
+        """Print all lines at once; what the encoding lacks is written as its code."""
         with self.console.capture() as captured:
             for line in self.lines:
                 self.console.print(line, soft_wrap=True, highlight=False, markup=False)
         stream = self.console.file
         encoding = self.console.encoding
         text = captured.get().encode(encoding, "backslashreplace").decode(encoding)
-        try:
-            stream.write(text)
-            stream.flush()
-        except BrokenPipeError:
-            self.console.quiet = True
+        stream.write(text)
+        stream.flush()

@@ -32,10 +32,9 @@ class Options:
 class Pipeline(ModuleType):
     """Stands in for the pipeline's module and remembers what it was asked."""
 
-    Options = Options
-
     def __init__(self) -> None:
         super().__init__("grader.pipeline")
+        self.Options = Options
         self.asked: list[tuple[Path, Options]] = []
         self.answer: Callable[[], Grade] = samples.perfect
 

@@ -180,7 +180,7 @@ def first_hit_wins() -> CheckScore:
         score=0,
         wrong=61,
         examined=4000,
-        message="ray 17 of nested-spheres: a closer hit was missed",
+        message="61 of 4,000 wrong, first in `nested`: ray 17: a closer hit was missed",
         expected="t = 1.5",
         got="t = 2.5",
     )
@@ -221,15 +221,13 @@ def broken() -> Grade:
 
 def starter() -> Grade:
     """The unedited starter: nothing was done, and nothing is wrong."""
-    grade = changed(
-        c1=replace(check(1), verdict=Verdict.FAIL, message="node 0 of 5 faces is not split"),
-        **{
-            f"c{number}": replace(check(number), verdict=Verdict.FAIL, score=0, wrong=1)
-            for number in range(2, len(CHECKS))
-        },
-    )
-    parts = tuple(replace(part, score=0, started=False) for part in grade.parts)
-    return replace(grade, parts=parts, score=0)
+    said = "not started: the given code is unchanged"
+    idle = [
+        replace(check(number), verdict=Verdict.BLOCKED, score=0, message=said)
+        for number in range(1, len(CHECKS))
+    ]
+    grade = graded([check(0), *idle])
+    return replace(grade, parts=tuple(replace(part, started=False) for part in grade.parts))
 
 
 def waiting(blocker: str) -> list[CheckScore]:

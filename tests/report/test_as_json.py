@@ -154,25 +154,6 @@ def test_a_broken_check_withholds_the_score_even_if_a_sum_was_made() -> None:
     assert result["needs_review"] is True
 
 
-def test_a_part_that_was_not_started_says_so() -> None:
-    """Nobody is shown a list of failures of code that is not written yet."""
-    result = to_json(samples.starter())
-    told = {one["message"] for one in result["checks"] if one["verdict"] == "fail"}
-    assert told == {
-        "Part a is not started: the given code of BVH::construct is unchanged.",
-        "Part b is not started: the given code of intersect is unchanged.",
-    }
-
-
-def test_a_file_that_does_not_compile_is_not_called_unstarted() -> None:
-    """Its parts earned nothing for another reason."""
-    grade = samples.uncompiled()
-    parts = tuple(replace(part, started=False) for part in grade.parts)
-    result = to_json(replace(grade, parts=parts))
-    assert "not started" not in json.dumps(result)
-    assert result["build"]["ok"] is False
-
-
 def test_a_rejected_submission_has_no_file_but_a_reason() -> None:
     """What cannot be known is null, and the reason stands where errors stand."""
     result = to_json(samples.rejected())

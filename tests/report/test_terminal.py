@@ -112,6 +112,21 @@ def test_markup_is_only_text() -> None:
     assert text in decoded(samples.changed(c5=samples.loose_boxes(text)), "120")
 
 
+def test_a_part_that_is_not_written_is_not_listed_as_failures() -> None:
+    """One sentence stands for all its checks."""
+    report = printed(samples.starter(), Screen()).decode()
+    assert "Part a is not started: the given code of BVH::construct is unchanged." in report
+    assert "Part b is not started: the given code of intersect is unchanged." in report
+    assert "hits.closest-wins" not in report
+
+
+def test_a_file_that_does_not_compile_is_not_called_unstarted() -> None:
+    """Its parts earned nothing for another reason."""
+    grade = samples.uncompiled()
+    parts = tuple(replace(part, started=False) for part in grade.parts)
+    assert "not started" not in printed(replace(grade, parts=parts), Screen()).decode()
+
+
 def test_what_the_rubric_hides_is_not_explained_to_students() -> None:
     """The check is named, its verdict is not."""
     hidden = replace(samples.first_hit_wins(), visibility="hidden")

@@ -1,0 +1,104 @@
+"""The doctor names what is missing and what to install."""
+
+import os
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from grader import doctor
+from grader.doctor import able, examine
+from grader.errors import MissingTool
+
+
+@pytest.fixture(autouse=True)
+def own_cache(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Iterator[None]:
+    """Look at a cache of the test's own, and forget the compiler afterwards."""
+    monkeypatch.setenv("BVHGRADE_CACHE", str(tmp_path / "cache"))
+    doctor.chosen.cache_clear()
+    yield
+    doctor.chosen.cache_clear()
+
+
+def test_this_machine_can_grade() -> None:
+    """Whoever runs the tests has all that grading needs."""
+    found = {finding.subject: finding for finding in examine()}
+    assert able(tuple(found.values())), [one for one in found.values() if not one.ok]
+    assert found["rendering"].state.startswith(("scalar_rgb: ", "llvm_ad_rgb: "))
+    assert "not built in yet" in found["isolation"].state
+    assert found["processors"].state == str(len(os.sched_getaffinity(0)))
+
+
+def test_whatever_is_missing_has_a_remedy(monkeypatch: pytest.MonkeyPatch) -> None:
+    """On a machine without any program, nothing is ok and nothing raises."""
+    monkeypatch.setenv("PATH", "/nowhere")
+    monkeypatch.delenv("CXX", raising=False)
+    for finding in (
+        doctor.compiler(),
+        doctor.sanitizers(),
+        doctor.program("cmake"),
+        doctor.program("make"),
+    ):
+        assert not finding.ok
+        assert "install" in finding.remedy
+        assert finding.needed
+
+
+def test_a_program_that_does_not_run_is_no_program(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """It is found, but fails when asked."""
+    broken = tmp_path / "cmake"
+    broken.write_text("#!/bin/sh\nexit 1\n")
+    broken.chmod(0o755)
+    monkeypatch.setenv("PATH", str(tmp_path))
+    assert not doctor.program("cmake").ok
+
+
+def test_a_missing_package_is_named_by_how_it_is_installed() -> None:
+    """The renderer's packages come as an extra, and are not needed to grade."""
+    missing = doctor.package("no_such_package")
+    extra = doctor.package("no_such_package", doctor.RENDER_REMEDY)
+    assert (missing.ok, missing.needed) == (False, True)
+    assert missing.remedy == "pip install no_such_package"
+    assert (extra.ok, extra.needed) == (False, False)
+    assert "bvhgrade[render]" in extra.remedy
+
+
+def test_without_mitsuba_grading_works(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Stored references do."""
+    monkeypatch.setattr("importlib.util.find_spec", lambda name: None)
+    finding = doctor.mitsuba()
+    assert not finding.ok
+    assert able((finding,))
+
+
+def test_a_cache_that_cannot_be_made_is_told(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """With the variable that moves it."""
+    (tmp_path / "file").touch()
+    monkeypatch.setenv("BVHGRADE_CACHE", str(tmp_path / "file" / "below"))
+    finding = doctor.cache_state()
+    assert not finding.ok
+    assert "BVHGRADE_CACHE" in finding.remedy
+
+
+def test_missing_sanitizers_are_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A compiler alone is not enough for the checks of memory."""
+
+    def missing(_: object) -> str:
+        raise MissingTool("g++ has no shared AddressSanitizer; install libasan8")
+
+    monkeypatch.setattr(doctor, "sanitizer_runtime", missing)
+    finding = doctor.sanitizers()
+    assert not finding.ok
+    assert finding.remedy == "install libasan8"
+
+
+def test_sizes_count_files_once_and_follow_no_links(tmp_path: Path) -> None:
+    """A link out of the cache is not the cache."""
+    (tmp_path / "below").mkdir()
+    (tmp_path / "below" / "file").write_bytes(b"x" * 1000)
+    (tmp_path / "link").symlink_to("/usr")
+    assert 1000 <= doctor.size_of(tmp_path) < 2000
