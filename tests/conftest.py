@@ -3,6 +3,11 @@
 from collections.abc import Generator
 
 import pytest
+from hypothesis import settings
+
+# No deadline, because a loaded machine is no bug; the same examples in every run.
+settings.register_profile("grader", deadline=None, derandomize=True)
+settings.load_profile("grader")
 
 
 @pytest.hookimpl(wrapper=True)
@@ -13,14 +18,14 @@ def pytest_runtest_makereport(
     report = yield
     if report.skipped and not hasattr(report, "wasxfail"):
         report.outcome = "failed"
-        report.longrepr = f"{item.nodeid} was skipped, but a test that cannot run proves nothing"
+        report.longrepr = (
+            f"{item.nodeid} was skipped, but a test that cannot run proves nothing"
+        )
     return report
 
 
 @pytest.hookimpl(wrapper=True)
-def pytest_make_collect_report() -> Generator[
-    None, pytest.CollectReport, pytest.CollectReport
-]:
+def pytest_make_collect_report() -> Generator[None, pytest.CollectReport, pytest.CollectReport]:
     """Turn a skipped file into an error."""
     report = yield
     if report.skipped:
