@@ -58,7 +58,7 @@ def explain(sheet: Sheet, grade: Grade, score: CheckScore, occasion: Occasion) -
 def headline(sheet: Sheet, score: CheckScore) -> None:
     """Write verdict word and statement, and the points on the right or below."""
     style = STYLES[score.verdict]
-    mark = Text(f"{sheet.glyphs.named(score.verdict)}  ", style)
+    mark = Text.assemble((f"{sheet.glyphs.named(score.verdict)}  ", style))
     worth = f"{points(score.score, score.max_score)} points" if score.max_score else "gate"
     room = sheet.width - mark.cell_len
     lines = sheet.wrapped(one_line(score.title), room)

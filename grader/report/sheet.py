@@ -131,7 +131,7 @@ class Sheet:
         """Write a line of source code beside the gutter, cut at the right edge."""
         line = Text.assemble("  ", (self.glyphs.gutter, "red"), " ")
         line.append("> " if marked else "  ", "red")
-        line.append(f"{number:>5}  ", "bold red" if marked else "dim")
+        line.append(f"{number:>6}  ", "bold red" if marked else "dim")
         code = Text(printable(text).replace("\n", " ").expandtabs(4).rstrip())
         if code.cell_len > self.width - line.cell_len:
             code.truncate(self.width - line.cell_len - 1)

@@ -45,7 +45,7 @@ def header(sheet: Sheet, grade: Grade) -> None:
     """Name the submission and its score, and draw the score."""
     given = grade.submission
     # A line that began with a stranger's `::error` would be a command to a workflow runner.
-    name = Text("bvhgrade  ", "dim").append(one_line(given.student), "bold")
+    name = Text.assemble(("bvhgrade  ", "dim"), (one_line(given.student), "bold"))
     if not isinstance(given, Rejected) and one_line(given.path) != one_line(given.student):
         name.append(f"  {one_line(given.path)}", "dim")
     if grade.score is None or grade.needs_review:
@@ -55,21 +55,23 @@ def header(sheet: Sheet, grade: Grade) -> None:
     style = "bold green" if share >= 1 else "bold yellow" if share > 0 else "bold red"
     sheet.spread(name, Text(f"{points(grade.score, grade.max_score)} points", style))
     full = int(share * sheet.width)
-    bar = Text(sheet.glyphs.full * full, style)
-    sheet.lines.append(bar.append(sheet.glyphs.empty * (sheet.width - full), "dim"))
+    rest = sheet.glyphs.empty * (sheet.width - full)
+    sheet.lines.append(Text.assemble((sheet.glyphs.full * full, style), (rest, "dim")))
 
 
 def rejected(sheet: Sheet, given: Rejected) -> None:
     """Say why nothing could be graded."""
     sign = sheet.glyphs.mark(Verdict.FAIL)
-    sheet.lines.append(Text(f"{sign} ", "red").append("There is no file to grade", "bold"))
+    statement = ("There is no file to grade", "bold")
+    sheet.lines.append(Text.assemble((f"{sign} ", "red"), statement))
     sheet.beside("", given.reason)
 
 
 def uncompiled(sheet: Sheet, grade: Grade) -> None:
     """Show what the compiler said, and that everything else hangs on it."""
     sign = sheet.glyphs.mark(Verdict.FAIL)
-    sheet.lines.append(Text(f"{sign} ", "red").append("The file does not compile", "bold"))
+    statement = ("The file does not compile", "bold")
+    sheet.lines.append(Text.assemble((f"{sign} ", "red"), statement))
     compile_errors(sheet, grade)
     sheet.blank()
     waiting = sum(score.verdict is Verdict.BLOCKED for score in grade.checks)
@@ -157,7 +159,8 @@ def footer(sheet: Sheet, grade: Grade, occasion: Occasion) -> None:
             "This run was not isolated: the submission could do what you can do.", "yellow"
         )
     if occasion.written is not None:
-        sheet.lines.append(Text("result  ", "dim").append(one_line(str(occasion.written))))
+        where = one_line(str(occasion.written))
+        sheet.lines.append(Text.assemble(("result  ", "dim"), where))
     spent = grade.timing
     sheet.say(
         f"{spent.total:.1f} s: compiling {spent.compile:.1f}, submission "

@@ -79,6 +79,12 @@ def test_text_that_the_encoding_lacks_is_written_as_its_code() -> None:
     assert "\\u03b1 > \\u4e2d" in report
 
 
+def test_a_style_does_not_leak_into_what_follows() -> None:
+    """The sign is red, the statement is only bold."""
+    report = printed(samples.failing(), Screen(terminal=True))
+    assert b"\x1b[31m\xe2\x9c\x97 fail  \x1b[0m\x1b[1mThe closest" in report
+
+
 @pytest.mark.parametrize("screen", ["56", "120", "color", "cp1252"])
 @pytest.mark.parametrize("name", HOSTILE)
 def test_hostile_text_does_not_act(name: str, screen: str) -> None:
