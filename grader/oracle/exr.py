@@ -150,7 +150,9 @@ def _reference(header: Mapping[str, Any], channels: Channels) -> Reference:
     )
     return Reference(
         key=str(header["bvhgrade.key"]),
-        made_with=tuple((name, str(header[f"bvhgrade.{name}"])) for name in MADE_WITH),
+        made_with=tuple(
+            (name, str(header.get(f"bvhgrade.{name}", "unknown"))) for name in MADE_WITH
+        ),
         rays=Rays(origin=origin, direction=direction, t_min=flat["t_min"], t_max=flat["t_max"]),
         t=flat["t"],
         point=point,

@@ -8,9 +8,9 @@ ones, and so on. Deflate then needs 37 % of the plain size, and nothing is round
 """
 
 import hashlib
-import zipfile
 import zlib
 from pathlib import Path
+from zipfile import BadZipFile
 
 import numpy as np
 
@@ -31,9 +31,9 @@ def load_mesh_file(path: Path) -> Mesh:
         OracleFault: The file is missing or damaged.
     """
     try:
-        with np.load(path) as arrays:
+        with path.open("rb") as file, np.load(file) as arrays:
             columns, faces = _unpacked(arrays["vertices"]), _unpacked(arrays["faces"])
-    except (OSError, KeyError, ValueError, zipfile.BadZipFile, zlib.error) as fault:
+    except (OSError, EOFError, KeyError, ValueError, BadZipFile, zlib.error) as fault:
         message = f"{path.name}: the stored mesh cannot be read ({fault}); restore the file"
         raise OracleFault(message) from fault
     vertices = np.ascontiguousarray(columns.view(np.float32).reshape(3, -1).T)
