@@ -44,11 +44,23 @@ DELIVERED: dict[type, type] = {
 
 def planned_cases(checks: Sequence[Check], trials: Sequence[Trial]) -> dict[str, int]:
     """Count, per check, the cases that the reference would give it."""
+    deep = {trial.name for trial in trials if DepthCase in kinds_of(trial)}
+    full = {trial.name for trial in trials if not _is_small(trial)} & deep
+
+    def counts(each: Check, trial: Trial) -> bool:
+        # Once the large mesh is needed, the small ones say nothing about the depth limit.
+        if each.kind is DepthCase and full and trial.name not in full:
+            return False
+        return each.kind in kinds_of(trial) and each.when(trial)
+
     return {
-        each.id: int(each.kind in ONCE)
-        + sum(each.kind in kinds_of(trial) and each.when(trial) for trial in trials)
+        each.id: int(each.kind in ONCE) + sum(counts(each, trial) for trial in trials)
         for each in checks
     }
+
+
+def _is_small(trial: Trial) -> bool:
+    return isinstance(trial, ConstructTrial) and trial.sanitized
 
 
 def kinds_of(trial: Trial) -> tuple[type, ...]:

@@ -131,6 +131,8 @@ def _range(bvh: Bvh, node: int) -> str:
 def leaves_hold_at_most_four(case: TreeCase) -> Evidence:
     """A node is split if and only if it holds more than four faces."""
     bvh, form = case.bvh, shape(case.bvh)
+    if case.full_levels and _stops_at_a_full_level(case):
+        return one(None)
     held = bvh.end[form.reached].astype(np.int64) - bvh.begin[form.reached]
     split = np.isin(form.reached, form.inner, assume_unique=True)
 
@@ -146,17 +148,34 @@ def leaves_hold_at_most_four(case: TreeCase) -> Evidence:
     return judged(split != (held > FACES_PER_LEAF), describe)
 
 
+def _stops_at_a_full_level(case: TreeCase) -> bool:
+    """Tell whether all leaves lie on one level, the last on which every node is that large.
+
+    Source: the rubric's reading `full-levels`; a node that could still be split in two leaves
+    of four holds at most nine faces.
+    """
+    bvh, form = case.bvh, shape(case.bvh)
+    held = bvh.end[form.leaves].astype(np.int64) - bvh.begin[form.leaves]
+    one_level = form.leaves.size == 2**form.depth
+    return bool(one_level and held.max() <= 2 * FACES_PER_LEAF + 1)
+
+
 @check(DepthCase, "bvh.depth-is-limited")
 def depth_is_limited(case: DepthCase) -> Evidence:
     """Splitting goes on down to `maxDepth` and stops there."""
-    depth = shape(case.bvh).depth
-    if case.max_depth - 1 <= depth <= case.max_depth:
+    if ends_at_the_limit(case):
         return one(None)
+    depth = shape(case.bvh).depth
     text = (
         f"the deepest node is on level {depth}, but with {len(case.trial.mesh.faces):,} faces "
         f"it must be on level {case.max_depth - 1} or {case.max_depth}"
     )
     return one(Example(text, f"level {case.max_depth}", f"level {depth}"))
+
+
+def ends_at_the_limit(case: DepthCase) -> bool:
+    """Tell whether the deepest level is the last allowed one, the root being level 0 or 1."""
+    return case.max_depth - 1 <= shape(case.bvh).depth <= case.max_depth
 
 
 @check(SurvivalCase, "bvh.survives-every-mesh", when=calls_construct)

@@ -1,0 +1,141 @@
+"""How does one path become one grade? The stages of the grader, in order."""
+
+import tempfile
+from collections.abc import Iterable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from grader.build.compile import compile_submission
+from grader.build.compiler import find_compiler, sanitizer_runtime
+from grader.intake.locate import locate
+from grader.model.cases import BuildCase, Case, DepthCase, SourceCase, TreeCase, WorkCase
+from grader.model.grade import Grade, Rubric
+from grader.model.stages import Build, Rejected, Submission
+from grader.model.trials import Trial
+from grader.oracle.plan import Plan, depth_trial, make_plan
+from grader.run.session import Engine
+from grader.run.trials import Budget, Engines, run_trials
+from grader.selection import select
+from grader.solution import Solution
+from grader.summary import Progress, Summary
+from grader.verify.structure import ends_at_the_limit
+
+
+@dataclass(frozen=True, slots=True)
+class Options:
+    """How to grade."""
+
+    seed: int
+    rubric: Path | None
+    only: tuple[str, ...]
+    """Ids of the checks to run; empty for all."""
+
+    progress: Progress
+
+
+def grade_one(path: Path, options: Options) -> Grade:
+    """Grade one submission.
+
+    Raises:
+        UsageError: The path, the rubric or the name of a check is wrong.
+        GraderError: Our own fault; nothing is concluded about the submission.
+    """
+    selection = select(options.rubric, options.only)
+    summary = Summary(selection, options.seed, options.progress)
+    submission = locate(path, selection.rubric.limits.source_kib << 10)
+    if isinstance(submission, Rejected):
+        summary.examine([BuildCase("build", (submission.reason,))])
+        return summary.grade(submission, None, ())
+    with tempfile.TemporaryDirectory(prefix="bvhgrade-") as folder:
+        with summary.stage("build and plan"):
+            build, plan, solution = _prepare(submission, Path(folder), options.seed)
+        summary.examine(_build_cases(build))
+        if build.library is None:
+            return summary.grade(submission, build, ())
+        trials = selection.useful(plan.trials)
+        summary.broken(plan.faults)
+        with summary.stage("run and verify"):
+            run = _Run(build, solution, selection.rubric, options)
+            summary.examine(run.cases(trials))
+            further = run.further_trials()
+            summary.examine(run.cases(further) if further else run.small_depths)
+        return summary.grade(submission, build, (*trials, *further))
+
+
+def _prepare(submission: Submission, folder: Path, seed: int) -> tuple[Build, Plan, Solution]:
+    """Compile the submission while the plan of its trials is made."""
+    with ThreadPoolExecutor(1) as aside:
+        building = aside.submit(compile_submission, submission, folder)
+        solution = Solution()
+        plan = make_plan(seed, solution.trees)
+        return building.result(), plan, solution
+
+
+def _build_cases(build: Build) -> Iterator[Case]:
+    if build.library is not None:
+        yield BuildCase("build", ())
+        if build.calls is not None:
+            yield SourceCase("source", build.calls)
+        return
+    errors = [message for message in build.diagnostics if message.severity == "error"]
+    yield BuildCase("build", tuple(_worded(each.line, each.text) for each in errors))
+
+
+def _worded(line: int, text: str) -> str:
+    return f"line {line}: {text}" if line else text
+
+
+class _Run:
+    """The workers of one submission, and what only the order of trials can decide."""
+
+    def __init__(
+        self, build: Build, solution: Solution, rubric: Rubric, options: Options
+    ) -> None:
+        self._engines = _engines(build, rubric)
+        self._solution = solution
+        self._rubric = rubric
+        self._budget = Budget(rubric.limits)
+        self._options = options
+        self.small_depths: list[DepthCase] = []
+        """Trees of the sanitized build, which say something only if they end at its limit."""
+
+    def cases(self, trials: Sequence[Trial]) -> Iterator[Case]:
+        """Run trials and yield what checks may look at, in the order of the trials."""
+        reference = self._solution.cpu_seconds(trials)
+
+        def progress(done: int, total: int) -> None:
+            self._options.progress("running", done, total)
+
+        for delivered in run_trials(trials, self._engines, self._budget, progress):
+            for case in delivered:
+                if isinstance(case, DepthCase) and case.trial.sanitized:
+                    self.small_depths.append(case)
+                elif isinstance(case, WorkCase):
+                    yield replace(case, reference_cpu_seconds=reference[case.name])
+                elif isinstance(case, TreeCase) and self._rubric.leaf_rule == "full-levels":
+                    yield replace(case, full_levels=True)
+                else:
+                    yield case
+
+    def further_trials(self) -> Sequence[Trial]:
+        """Ask for the mesh of four million faces if small ones could not show the depth limit.
+
+        A submission that says 20 instead of `maxDepth` is right, but does not see the smaller
+        limit of the sanitized build.
+        """
+        wanted = any(one.check == "bvh.depth-is-limited" for one in self._rubric.criteria)
+        small = self.small_depths
+        if not wanted or (small and all(ends_at_the_limit(case) for case in small)):
+            return ()
+        return (depth_trial(self._options.seed),)
+
+
+def _engines(build: Build, rubric: Rubric) -> Engines:
+    output = rubric.limits.output_kib << 10
+    if build.library is None:
+        raise AssertionError("there is a library, or nothing is run")
+    graded = Engine(build.library, rubric.limits.memory_mib, output)
+    if build.sanitized is None:
+        return Engines(graded, None)
+    return Engines(graded, Engine(build.sanitized, 0, output, sanitizer_runtime(find_compiler())))

@@ -1,0 +1,88 @@
+"""What our own solution says: its trees, and the time that it takes for a trial."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from grader.build.reference import reference_library
+from grader.errors import WorkerFault
+from grader.model.cases import Case, SurvivalCase, TreeCase
+from grader.model.grade import Limits
+from grader.model.mesh import Bvh, Mesh
+from grader.model.stages import Stop
+from grader.model.trials import ConstructTrial, Trial, WorkTrial
+from grader.oracle.remember import digest_of, remember
+from grader.run.session import Engine
+from grader.run.trials import Budget, Engines, run_trials
+
+GENEROUS = Limits(
+    small_seconds=60.0,
+    large_seconds=300.0,
+    total_seconds=3600.0,
+    memory_mib=4096,
+    output_kib=64,
+    source_kib=1024,
+)
+"""The reference is ours: these limits only end a machine's bad day."""
+
+
+class Solution:
+    """The reference's library, built once for a grade."""
+
+    def __init__(self) -> None:
+        self._library = reference_library()
+
+    def trees(self, meshes: Sequence[Mesh]) -> list[Bvh]:
+        """Build the reference's tree of each mesh, or take it from the cache.
+
+        Raises:
+            WorkerFault: The reference did not come back.
+        """
+        return [self._tree(mesh) for mesh in meshes]
+
+    def cpu_seconds(self, trials: Sequence[Trial]) -> dict[str, float]:
+        """CPU seconds of the reference for each trial that counts work."""
+        work = [trial for trial in trials if isinstance(trial, WorkTrial)]
+        return {
+            case.name: case.ending.cpu_seconds
+            for case in self._run(work)
+            if isinstance(case, SurvivalCase)
+        }
+
+    def _tree(self, mesh: Mesh) -> Bvh:
+        key = digest_of("tree", self._library.name, mesh.vertices, mesh.faces)
+        arrays = remember(key, lambda: _arrays(self._build(mesh)))
+        names = ("low", "high", "begin", "end", "order")
+        return Bvh(*(arrays[name] for name in names), int(arrays["count"][0]))
+
+    def _build(self, mesh: Mesh) -> Bvh:
+        cases = self._run([ConstructTrial("reference", mesh)])
+        return next(case.bvh for case in cases if isinstance(case, TreeCase))
+
+    def _run(self, trials: Sequence[Trial]) -> list[Case]:
+        engine = Engine(self._library, GENEROUS.memory_mib, GENEROUS.output_kib << 10)
+        cases: list[Case] = []
+        for delivered in run_trials(trials, Engines(engine, None), Budget(GENEROUS), _silent):
+            cases += delivered
+        for case in cases:
+            if isinstance(case, SurvivalCase) and case.ending.stop is not Stop.FINISHED:
+                message = f"the reference failed on {case.name}: {case.ending.detail}"
+                raise WorkerFault(message)
+        return cases
+
+
+def _arrays(bvh: Bvh) -> dict[str, np.ndarray]:
+    return {
+        "low": bvh.low,
+        "high": bvh.high,
+        "begin": bvh.begin,
+        "end": bvh.end,
+        "order": bvh.order,
+        "count": np.array([bvh.node_count], dtype=np.int64),
+    }
+
+
+def _silent(done: int, total: int) -> None:
+    """Say nothing: the reference's workers are not what anyone waits for."""
+
+

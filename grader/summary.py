@@ -1,0 +1,139 @@
+"""How do the findings of a run become a grade, with its provenance and its times?"""
+
+import time
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import replace
+from pathlib import Path
+
+import grader
+from grader.model.cases import Case, MemoryCase, SurvivalCase, TreeCase, WorkCase
+from grader.model.grade import Grade, Provenance, Timing
+from grader.model.stages import PARTS, Build, Rejected, Submission
+from grader.model.trials import Trial
+from grader.model.verdict import Evidence, Finding, Verdict
+from grader.oracle.scenes import scenes_sha256
+from grader.score.points import final_score, score_checks, score_parts
+from grader.selection import Selection
+from grader.tolerances import FACES_PER_LEAF
+from grader.verify.engine import Examiner
+from grader.verify.planned import planned_cases
+from grader.verify.tree import shape
+
+Progress = Callable[[str, int, int], None]
+NOT_ISOLATED = "none"
+
+
+class Summary:
+    """What is known of one submission so far."""
+
+    def __init__(self, selection: Selection, seed: int, progress: Progress) -> None:
+        self._selection = selection
+        self._seed = seed
+        self._progress = progress
+        self._examiner = Examiner(selection.checks)
+        self._findings: list[Finding] = []
+        self._untouched: set[str] = set()
+        self._touched: set[str] = set()
+        self._begun = time.monotonic()
+        self._stages: list[tuple[str, float]] = []
+        self._worker_seconds = 0.0
+
+    @contextmanager
+    def stage(self, name: str) -> Iterator[None]:
+        """Take the wall time of one stage and show that it has begun."""
+        self._progress(name, 0, 0)
+        started = time.monotonic()
+        yield
+        self._stages.append((name, time.monotonic() - started))
+
+    def examine(self, cases: Iterable[Case]) -> None:
+        """Decide the checks on cases as they come in; none of them is kept."""
+        for case in cases:
+            self._note(case)
+            self._findings += self._examiner.examine([case])
+
+    def broken(self, faults: Iterable[tuple[str, str]]) -> None:
+        """Take note of our own faults: the name of a trial and what went wrong there."""
+        for name, reason in faults:
+            self._findings += [
+                Finding(each.id, name, Verdict.BROKEN, Evidence(0, 0), reason)
+                for each in self._selection.checks
+                if each.id.startswith(("hits.", "image."))
+            ]
+
+    def grade(
+        self, given: Submission | Rejected, build: Build | None, trials: Sequence[Trial]
+    ) -> Grade:
+        """Score what was found."""
+        rubric, checks = self._selection.rubric, self._selection.checks
+        started = {part for part in PARTS if part in self._touched} | (
+            set(PARTS) - self._untouched
+        )
+        scores = score_checks(
+            rubric,
+            [(each.id, each.title) for each in checks],
+            self._findings,
+            planned_cases(checks, trials),
+            started,
+        )
+        seconds = self._examiner.seconds
+        scores = tuple(replace(one, seconds=seconds[one.check]) for one in scores)
+        parts = score_parts(rubric, scores, started)
+        total = final_score(scores)
+        return Grade(
+            submission=given,
+            build=build,
+            parts=parts,
+            checks=scores,
+            score=total,
+            max_score=sum(one.max_score for one in scores),
+            needs_review=total is None,
+            provenance=self._provenance(build),
+            timing=self._timing(build),
+        )
+
+    def _note(self, case: Case) -> None:
+        """See whether a part still does what the given code does."""
+        if isinstance(case, SurvivalCase | MemoryCase):
+            self._worker_seconds += case.ending.seconds
+        elif isinstance(case, TreeCase) and len(case.trial.mesh.faces) > FACES_PER_LEAF:
+            split = shape(case.bvh).inner.size > 0
+            (self._touched if split else self._untouched).add("a")
+        elif isinstance(case, WorkCase):
+            every_face = case.triangle_tests >= len(case.trial.mesh.faces)
+            given_loop = case.box_tests == 0 and every_face
+            (self._untouched if given_loop else self._touched).add("b")
+
+    def _provenance(self, build: Build | None) -> Provenance:
+        return Provenance(
+            grader=grader.__version__,
+            rubric_sha256=self._selection.rubric.sha256,
+            scenes_sha256=scenes_sha256(),
+            seed=self._seed,
+            compiler=build.compiler if build else "",
+            flags=build.flags if build else (),
+            isolation=NOT_ISOLATED,
+            cpu=cpu_name(),
+        )
+
+    def _timing(self, build: Build | None) -> Timing:
+        total = time.monotonic() - self._begun
+        compile_seconds = build.seconds if build else 0.0
+        return Timing(
+            compile=compile_seconds,
+            submission=self._worker_seconds,
+            grader=max(0.0, total - compile_seconds - self._worker_seconds),
+            total=total,
+            stages=tuple(self._stages),
+        )
+
+
+def cpu_name() -> str:
+    """Name of the processor, as the kernel tells it; empty if it does not."""
+    try:
+        lines = Path("/proc/cpuinfo").read_text(errors="replace").splitlines()
+    except OSError:
+        return ""
+    names = (line.partition(":")[2].strip() for line in lines if line.startswith("model name"))
+    return next(names, "")
