@@ -67,7 +67,7 @@ def check(
     written = stored(folder, result)
     with patient_stdout():
         report(result, order, written, tell_hidden=False)
-    raise Exit(status_of_check(result))
+    raise Exit(status_of_check(result, only))
 
 
 @click.command()
@@ -182,9 +182,15 @@ def is_withheld(result: Grade) -> bool:
     return result.needs_review or result.score is None
 
 
-def status_of_check(result: Grade) -> int:
-    """Tell full marks, lost points and our own fault apart."""
+def status_of_check(result: Grade, only: tuple[str, ...]) -> int:
+    """Tell full marks, lost points and our own fault apart.
+
+    Args:
+        result: The grade.
+        only: The checks that were asked for; others that ran on the way do not count.
+    """
     if is_withheld(result):
         return OUR_FAULT
-    lost = any(score.verdict is not Verdict.PASS for score in result.checks)
-    return LOST_POINTS if lost or not result.checks else FULL_MARKS
+    asked = [score for score in result.checks if not only or score.check in only]
+    passed = asked and all(score.verdict is Verdict.PASS for score in asked)
+    return FULL_MARKS if passed else LOST_POINTS

@@ -104,6 +104,8 @@ def every_part(sheet: Sheet, grade: Grade, occasion: Occasion) -> None:
 def part_line(sheet: Sheet, part: PartScore, unknown: bool) -> None:
     """Write a part's title and points."""
     earned = "withheld" if unknown else points(part.score, part.max_score)
+    if not part.max_score:
+        earned = ""
     title = Text(f"{part.part})  {one_line(part.title)}", "bold")
     sheet.spread(title, Text(earned, "bold"))
 

@@ -114,6 +114,13 @@ def test_options_reach_the_pipeline(pipeline: Pipeline) -> None:
     assert options.only == ("a.b", "c.d")
 
 
+def test_only_the_checks_that_were_asked_for_decide_the_status(pipeline: Pipeline) -> None:
+    """A gate of the other part may run on the way and fail."""
+    pipeline.answer = samples.failing
+    assert call("check", FILE, "--only", "bvh.root-holds-all-faces").exit_code == 0
+    assert call("check", FILE, "--only", "hits.closest-wins").exit_code == 1
+
+
 def test_the_default_seed_is_the_same_for_both(pipeline: Pipeline) -> None:
     """A student sees at home what the course sees."""
     call("check", FILE)
