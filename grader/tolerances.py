@@ -1,4 +1,4 @@
-"""Every number that decides a grade, with its derivation and the mistake it must still catch."""
+"""Every number that decides a grade, with its derivation and the mistake it must catch."""
 
 UNIT_ROUNDOFF = 2.0**-24
 """u of float32: the relative error of one rounded operation. Source: IEEE 754-2019."""
@@ -24,7 +24,7 @@ catch moves a face by a whole position of a shuffled mesh, many thousand ulp.
 """
 
 NODE_CAPACITY = 2**22
-"""How many nodes of a tree are read: all 2^21 - 1 of depth 20 and one allocation twice as big."""
+"""How many nodes of a tree are read: the 2^21 - 1 of depth 20, in a vector twice as big."""
 
 
 PICTURE_RELATIVE = 1e-4
@@ -40,3 +40,31 @@ PICTURE_PIXELS, PICTURE_SHARE = 4, 1e-4
 Such pixels look at an edge, where Embree and the given test may see different faces. A hole of
 one pixel is caught by the rule, not by this count.
 """
+
+TRIANGLE_ERROR = 12.0
+"""Rounding errors of a float32 plane test, in units of u |e1||e2||d| / |den|, relative to t.
+
+Two subtractions per edge, two products and a difference per component of the normal, and the
+sums of two dot products. Measured on 10 meshes x 17 ray families with eleven ways to write the
+test: the largest error was 0.15 of the resulting tolerance. Median tolerance: 3e-6 t. The
+smallest mistake to catch is a hit on another surface, or `t` off by 1e-4.
+"""
+
+EDGE_ON = 0.25
+"""Relative error of the denominator from which on float32 cannot tell its sign: WILD."""
+
+EDGE_ERROR = 40.0
+"""Rounding errors of the edge tests, as a distance in units of u L^2/|e|; measured as above."""
+
+WILD_PADDING = 16.0
+"""A WILD triangle's box grows by this x u(|o| + |v1| + |e1| + |e2|); measured as above."""
+
+EDGE_PADDING = 128.0
+"""An EDGE triangle's box grows by this x u(|o| + |v1| + |e1| + |e2|) x flatness.
+
+Farther away no float32 hit can be: 24 for the plane, 80 for an acute corner, rounded up.
+"""
+
+NEEDLE = 1000.0
+"""Flatness L^2/|n| beyond which triangles are not used to judge hits: there some right ways to
+write the edge tests (dot products of edges) err more than any useful tolerance allows."""

@@ -1,0 +1,1 @@
+"""What is right? Meshes, rays and answers that do not come from a submission."""
