@@ -1,0 +1,230 @@
+"""Tests of grader/intake/locate.py: files and folders."""
+
+import os
+import socket
+from pathlib import Path
+
+import pytest
+
+from grader.errors import UsageError
+from grader.intake.locate import DEEPEST, locate
+from grader.model.stages import Rejected, Submission
+
+CODE = b"void BVH::construct(const Mesh&) {}\n"
+LIMIT = 1024 * 1024
+NAME = "exercise03.cpp"
+
+
+def accepted(path: Path) -> Submission:
+    """Locate a file that must be found."""
+    found = locate(path, LIMIT)
+    assert isinstance(found, Submission)
+    return found
+
+
+def refused(path: Path) -> str:
+    """Locate something that must be refused, and give the reason."""
+    found = locate(path, LIMIT)
+    assert isinstance(found, Rejected)
+    assert found.reason.isprintable()
+    assert "!" not in found.reason
+    return found.reason
+
+
+@pytest.mark.parametrize("name", [NAME, "loesung Müller (1).cpp", "main.cc", "A.CXX"])
+def test_one_source_file_may_have_any_name(tmp_path: Path, name: str) -> None:
+    """The name only names the student."""
+    path = tmp_path / name
+    path.write_bytes(CODE)
+    found = accepted(path)
+    assert (found.source, found.path) == (CODE, NAME)
+    assert found.student == Path(name).stem
+    assert len(found.sha256) == 64
+
+
+@pytest.mark.parametrize("inside", [NAME, f"src/{NAME}", f"a/b/c/student_stub/src/{NAME}"])
+def test_a_folder_is_searched(tmp_path: Path, inside: str) -> None:
+    """The one file is found at any depth, beside whatever else lies there."""
+    path = tmp_path / "s0427" / inside
+    path.parent.mkdir(parents=True)
+    path.write_bytes(CODE)
+    (path.parent / "bvh.h").write_text("")
+    found = accepted(tmp_path / "s0427")
+    assert (found.student, found.path, found.source) == ("s0427", inside, CODE)
+
+
+@pytest.mark.parametrize("inside", ["__MACOSX", ".git", ".history/src"])
+def test_junk_is_not_a_second_file(tmp_path: Path, inside: str) -> None:
+    """What macOS, git and editors keep is not looked at."""
+    (tmp_path / NAME).write_bytes(CODE)
+    (tmp_path / inside).mkdir(parents=True)
+    (tmp_path / inside / NAME).write_bytes(b"old")
+    assert accepted(tmp_path).source == CODE
+
+
+def test_two_files_are_named(tmp_path: Path) -> None:
+    """Which of them is meant is not guessed."""
+    for folder in ("old", "new"):
+        (tmp_path / folder).mkdir()
+        (tmp_path / folder / NAME).write_bytes(CODE)
+    reason = refused(tmp_path)
+    assert f"2 files are called {NAME}" in reason
+    assert f"`old/{NAME}`" in reason
+    assert f"`new/{NAME}`" in reason
+
+
+def test_without_the_file_others_are_named(tmp_path: Path) -> None:
+    """A student sees what was handed in instead."""
+    (tmp_path / "Exercise03.cpp").write_bytes(CODE)
+    (tmp_path / "notes.txt").write_bytes(CODE)
+    assert refused(tmp_path) == f"no file is called {NAME}; there is `Exercise03.cpp`"
+
+
+def test_an_empty_folder_is_refused(tmp_path: Path) -> None:
+    """There is nothing else to name."""
+    assert refused(tmp_path) == f"no file is called {NAME}"
+
+
+@pytest.mark.parametrize(
+    ("content", "expected"),
+    [
+        (b"", "the file is empty"),
+        (b" \r\n\t", "the file is empty"),
+        (b"\xef\xbb\xbf", "the file is empty"),
+        (b"x" * (LIMIT + 1), "larger than 1,024 KiB"),
+        (CODE.decode().encode("utf-16"), "saved as UTF-16"),
+        (CODE.decode().encode("utf-16-le"), "saved as UTF-16"),
+        (CODE.decode().encode("utf-16-be"), "saved as UTF-16"),
+        (CODE.decode().encode("utf-32"), "saved as UTF-16"),
+        (b"PK\x03\x04....", "this is an archive"),
+        (b"Rar!....", "this is an archive"),
+    ],
+)
+def test_files_that_cannot_be_compiled_are_refused(
+    tmp_path: Path, content: bytes, expected: str
+) -> None:
+    """The reason names the file and says what to do."""
+    path = tmp_path / NAME
+    path.write_bytes(content)
+    reason = refused(path)
+    assert reason.startswith(f"{NAME}: ")
+    assert expected in reason
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        b"\xef\xbb\xbf" + CODE,
+        CODE.replace(b"\n", b"\r\n"),
+        b"// M\xfcller\n" + CODE,
+        b"// \x00\n" + CODE,
+        b"x" * LIMIT,
+        b"x",
+    ],
+)
+def test_what_a_compiler_accepts_is_accepted(tmp_path: Path, content: bytes) -> None:
+    """A byte order mark, CRLF, Latin-1, one NUL, the largest and the smallest file."""
+    path = tmp_path / NAME
+    path.write_bytes(content)
+    assert accepted(path).source == content
+
+
+def test_a_link_is_not_followed(tmp_path: Path) -> None:
+    """A planted link must not make us read a file of ours."""
+    secret = tmp_path / "secret"
+    secret.write_bytes(CODE)
+    folder = tmp_path / "s1"
+    folder.mkdir()
+    (folder / NAME).symlink_to(secret)
+    for path in (folder, folder / NAME):
+        assert "this is a link" in refused(path)
+
+
+def test_pipes_and_devices_do_not_make_us_wait(tmp_path: Path) -> None:
+    """A pipe that nobody writes to is refused at once."""
+    os.mkfifo(tmp_path / NAME)
+    assert "a pipe" in refused(tmp_path / NAME)
+    assert "a pipe" in refused(tmp_path)
+
+
+@pytest.mark.parametrize("name", [NAME, "submission.zip"])
+def test_sockets_and_devices_are_refused(tmp_path: Path, name: str) -> None:
+    """Whatever is no regular file is not read, also where an archive is expected."""
+    with socket.socket(socket.AF_UNIX) as server:
+        here = Path.cwd()
+        os.chdir(tmp_path)
+        try:
+            server.bind(name)
+        finally:
+            os.chdir(here)
+        assert "a device" in refused(tmp_path / name)
+    assert "a device" in refused(Path("/dev/null"))
+
+
+def test_a_linked_folder_is_not_entered(tmp_path: Path) -> None:
+    """A link to a folder with the file, and one that leads back, are left alone."""
+    elsewhere = tmp_path / "elsewhere"
+    elsewhere.mkdir()
+    (elsewhere / NAME).write_bytes(CODE)
+    folder = tmp_path / "s1"
+    folder.mkdir()
+    (folder / "src").symlink_to(elsewhere)
+    (folder / "loop").symlink_to(folder)
+    assert "no file is called" in refused(folder)
+
+
+def test_folders_are_searched_to_a_depth(tmp_path: Path) -> None:
+    """A file below that depth does not exist for us."""
+    deep = tmp_path.joinpath(*["d"] * DEEPEST)
+    deep.mkdir(parents=True)
+    (deep / NAME).write_bytes(CODE)
+    assert accepted(tmp_path).source == CODE
+    (deep / NAME).unlink()
+    (deep / "d").mkdir()
+    (deep / "d" / NAME).write_bytes(CODE)
+    assert "no file is called" in refused(tmp_path)
+
+
+def test_endless_folders_are_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The search ends after so many entries."""
+    monkeypatch.setattr("grader.intake.locate.MOST_ENTRIES", 10)
+    for number in range(11):
+        (tmp_path / f"{number}.txt").touch()
+    assert "hand in only" in refused(tmp_path)
+
+
+@pytest.mark.parametrize(
+    "name", ["none", "none.cpp", "none.zip", "file/none", "x" * 300, "a\0b"]
+)
+def test_a_path_that_is_not_there_is_the_callers_mistake(tmp_path: Path, name: str) -> None:
+    """That is a typing error, not a submission."""
+    (tmp_path / "file").write_bytes(CODE)
+    with pytest.raises(UsageError, match=r"but a C\+\+ file, a folder"):
+        locate(tmp_path / name, LIMIT)
+
+
+@pytest.mark.parametrize("name", ["a.rar", "a.txt", "a.pdf", "a.c", "noending"])
+def test_other_files_are_refused(tmp_path: Path, name: str) -> None:
+    """The reason says what may be handed in."""
+    (tmp_path / name).write_bytes(CODE)
+    assert refused(tmp_path / name).startswith("neither a C++ file nor a folder")
+
+
+@pytest.mark.parametrize(
+    "name", ["a\nb", "\u202egpp.3", "x" * 250, "a\x1b[31m", os.fsdecode(b"\xff\xfe")]
+)
+def test_hostile_names_are_made_printable(tmp_path: Path, name: str) -> None:
+    """New lines, bidirectional marks, escape sequences and long names reach no terminal."""
+    folder = tmp_path / name
+    folder.mkdir()
+    (folder / NAME).write_bytes(CODE)
+    student = accepted(folder).student
+    assert student.isprintable()
+    assert 0 < len(student) <= 120
+
+
+def test_the_current_folder_has_a_name(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """`.` is called what the folder is called."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / NAME).write_bytes(CODE)
+    assert accepted(Path()).student == tmp_path.name
