@@ -68,3 +68,39 @@ Farther away no float32 hit can be: 24 for the plane, 80 for an acute corner, ro
 NEEDLE = 1000.0
 """Flatness L^2/|n| beyond which triangles are not used to judge hits: there some right ways to
 write the edge tests (dot products of edges) err more than any useful tolerance allows."""
+
+POINT_ERROR = 4.0
+"""A hit's point may be off o + t d by this x (tolerance of t along the ray + rounding).
+
+o + t d itself rounds to 2u (|o| + |t||d|); a point made of barycentric coordinates adds their
+errors, each at most the tolerance of t along the ray, for two coordinates. The smallest mistake
+to catch is the point of another hit, or one in other units; both are off by whole edges.
+"""
+
+NORMAL_ERROR = 16.0
+"""A unit normal may be off by this x u (1 + L^2/|n|), L the longest edge, n = e1 x e2.
+
+An edge rounds to u|e| per component, a component of the cross product adds three roundings of
+products below L^2: |dn| <= sqrt(3) (2 + 2 + 3) u L^2 = 12.1 u L^2, and normalising 4u.
+The smallest mistake to catch is a normal of another face, turned round, or not normalised.
+"""
+
+UNIT_LENGTH = 1e-6
+"""How far a normal's length may be from 1: 17u; normalising in float32 errs by at most 4u."""
+
+WASTE = 4.0
+"""How many times the tests of a plain traversal, boxes and triangles together, a ray may take.
+
+The plain traversal tests every node whose parent was entered and has no early out. Testing a
+node's children before entering it, and again when they are entered, costs up to 3 times as many.
+The smallest mistake to catch, a box test that is forgotten, costs a hundred times as many.
+"""
+
+SLOWEST, START_SECONDS = 20.0, 0.3
+"""A submission may take 0.3 s + 20 times the model solution's CPU time, start of the worker
+included in both.
+
+Measured: the slowest right traversals (recursion, vectors on the heap, no early out) take 2 to 4
+times as long as the model solution. The trial on 202,520 faces has 6,000 rays: the model takes
+0.1 s, so 2.3 s are allowed; a copy of the nodes alone (4.2 MB) costs each ray 0.5 ms or more, 3 s.
+"""

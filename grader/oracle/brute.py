@@ -1,6 +1,7 @@
 """Which triangles does a ray hit, which may it hit, and which can float32 not decide?
 
-The rule, in float64 on float32 inputs, u = 2^-24, edges e1 = v2 - v1, e2 = v3 - v1, e3, longest L:
+The rule, in float64 on float32 inputs; u = 2^-24, edges e1 = v2 - v1, e2 = v3 - v1, e3, the
+longest of length L:
 
     n = e1 x e2, den = d . n, t = (v1 - o) . n / den, s = |v1 - o|
     rel   = 12u |e1||e2||d| / |den|

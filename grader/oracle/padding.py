@@ -2,7 +2,10 @@
 
 A hit that a float32 test reports is a point of the ray, off the triangle's plane by at most
 12u |e1||e2| (s + |t||d|) / |n| and off its edges by 40u L^2/|e|, which at an acute corner
-reaches L^2/|n| times as far. Both are below `EDGE_PADDING` u (|o| + |v1| + |e1| + |e2|) L^2/|n|,
+reaches L^2/|n| times as far. Both are below
+
+    EDGE_PADDING u (|o| + |v1| + |e1| + |e2|) L^2/|n|
+
 so a triangle whose padded box the ray does not touch cannot be reported.
 """
 

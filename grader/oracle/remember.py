@@ -1,0 +1,114 @@
+"""Which arrays were computed before? A cache on disk that is never trusted blindly.
+
+Theory of operation. The name of an entry is a hash of all that it was computed from and of the
+oracle's own source text, so an entry can be unused but not out of date. An entry is one file:
+a hash of what follows, then the arrays. It is written beside its place and renamed, and it is
+read back only if the hash fits; anything else is computed again. Reading an entry marks it as
+used; when all entries together are too large, those unused for the longest time are dropped.
+"""
+
+import hashlib
+import io
+import os
+import tempfile
+from collections.abc import Callable, Mapping
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import numpy.typing as npt
+
+from grader.resources import cache_folder
+
+Arrays = Mapping[str, npt.NDArray[np.generic]]
+LARGEST = 2 << 30
+"""Bytes of all entries together."""
+
+DIGEST = hashlib.sha256().digest_size
+
+
+def digest_of(*parts: object) -> str:
+    """Hash arrays, with their shape and type, and anything with a `repr` that tells it all."""
+    digest = hashlib.sha256(_own_source())
+    for part in parts:
+        if isinstance(part, np.ndarray):
+            digest.update(f"{part.dtype.str}{part.shape}".encode())
+            digest.update(np.ascontiguousarray(part).data)
+        else:
+            digest.update(f"|{part!r}|".encode())
+    return digest.hexdigest()
+
+
+def remember(key: str, compute: Callable[[], Arrays]) -> Arrays:
+    """Return arrays from the cache, or compute and keep them.
+
+    Args:
+        key: From `digest_of`, of everything that the arrays depend on.
+        compute: Computes the arrays.
+    """
+    folder = cache_folder() / "oracle"
+    path = folder / key
+    arrays = _read(path)
+    if arrays is None:
+        arrays = compute()
+        folder.mkdir(mode=0o700, exist_ok=True)
+        _write(path, arrays)
+        _drop_oldest(folder)
+    return arrays
+
+
+@cache
+def _own_source() -> bytes:
+    """Hash the oracle's source, so that a change in it makes every entry unused."""
+    digest = hashlib.sha256(np.__version__.encode())
+    for path in sorted(Path(__file__).parent.glob("*.py")):
+        digest.update(path.read_bytes())
+    digest.update((Path(__file__).parents[1] / "tolerances.py").read_bytes())
+    return digest.digest()
+
+
+def _read(path: Path) -> Arrays | None:
+    """Read an entry; None if there is none that is whole."""
+    try:
+        content = path.read_bytes()
+    except OSError:
+        return None
+    body = memoryview(content)[DIGEST:]
+    if hashlib.sha256(body).digest() != content[:DIGEST]:
+        return None
+    os.utime(path)
+    arrays: dict[str, npt.NDArray[np.generic]] = {}
+    with np.load(io.BytesIO(body), allow_pickle=False) as stored:
+        for name in stored.files:
+            arrays[name] = stored[name]
+    return arrays
+
+
+def _write(path: Path, arrays: Arrays) -> None:
+    """Write an entry in one step; a full disk only costs the entry."""
+    body = io.BytesIO()
+    np.savez(body, **dict(arrays))  # type: ignore[arg-type]  # numpy's stub takes no mapping
+    content = body.getbuffer()
+    try:
+        with tempfile.NamedTemporaryFile(dir=path.parent, delete=False) as file:
+            file.write(hashlib.sha256(content).digest())
+            file.write(content)
+        Path(file.name).replace(path)
+    except OSError:
+        return
+
+
+def _drop_oldest(folder: Path, largest: int = LARGEST) -> None:
+    """Delete what was not used for the longest time until the rest is small enough."""
+    entries = []
+    for path in folder.iterdir():
+        try:
+            status = path.stat()
+        except FileNotFoundError:  # another process was faster
+            continue
+        entries.append((status.st_mtime, status.st_size, path))
+    total = 0
+    for _, size, path in sorted(entries, reverse=True):
+        total += size
+        if total > largest:
+            path.unlink(missing_ok=True)
