@@ -112,6 +112,13 @@ def test_a_handful_of_edges_may_differ_from_mitsuba(count: int, wrong: int) -> N
     assert evidence.wrong == wrong
 
 
+def test_holes_do_not_use_up_what_edges_may_differ() -> None:
+    """Five holes are five wrong pixels; the one edge beside them is still forgiven."""
+    holes, edge = (20, 21, 22, 23, 24), 90
+    case = wall_case(seen(WALL, (*holes, edge), np.inf), {edge: EDGE})
+    assert picture_equals_mitsubas.decide(case).wrong == len(holes)
+
+
 def test_an_undecidable_pixel_is_not_counted() -> None:
     """A hit that only an edge-on face explains is neither right nor wrong."""
     case = wall_case(seen(WALL, (8,), 1.0), {8: WILD})
