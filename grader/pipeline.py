@@ -1,7 +1,7 @@
 """How does one path become one grade? The stages of the grader, in order."""
 
 import tempfile
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -138,4 +138,6 @@ def _engines(build: Build, rubric: Rubric) -> Engines:
     graded = Engine(build.library, rubric.limits.memory_mib, output)
     if build.sanitized is None:
         return Engines(graded, None)
-    return Engines(graded, Engine(build.sanitized, 0, output, sanitizer_runtime(find_compiler())))
+    return Engines(
+        graded, Engine(build.sanitized, 0, output, sanitizer_runtime(find_compiler()))
+    )

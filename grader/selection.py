@@ -68,7 +68,7 @@ def _with_needs(checks: Sequence[Check], wanted: set[str]) -> set[str]:
     needs = {each.id: each.needs for each in checks}
     waiting = list(wanted)
     while waiting:
-        for need in needs.get(waiting.pop(),()):
+        for need in needs.get(waiting.pop(), ()):
             if need not in wanted:
                 wanted.add(need)
                 waiting.append(need)

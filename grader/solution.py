@@ -52,8 +52,14 @@ class Solution:
     def _tree(self, mesh: Mesh) -> Bvh:
         key = digest_of("tree", self._library.name, mesh.vertices, mesh.faces)
         arrays = remember(key, lambda: _arrays(self._build(mesh)))
-        names = ("low", "high", "begin", "end", "order")
-        return Bvh(*(arrays[name] for name in names), int(arrays["count"][0]))
+        return Bvh(
+            low=arrays["low"],
+            high=arrays["high"],
+            begin=arrays["begin"],
+            end=arrays["end"],
+            order=arrays["order"],
+            node_count=int(arrays["count"][0]),
+        )
 
     def _build(self, mesh: Mesh) -> Bvh:
         cases = self._run([ConstructTrial("reference", mesh)])
@@ -84,5 +90,3 @@ def _arrays(bvh: Bvh) -> dict[str, np.ndarray]:
 
 def _silent(done: int, total: int) -> None:
     """Say nothing: the reference's workers are not what anyone waits for."""
-
-

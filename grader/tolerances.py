@@ -92,7 +92,7 @@ WASTE = 4.0
 """How many times the tests of a plain traversal, boxes and triangles together, a ray may take.
 
 The plain traversal tests every node whose parent was entered and has no early out. Testing a
-node's children before entering it, and again when they are entered, costs up to 3 times as many.
+node's children before entering it, and again when they are entered, costs up to 3 times that.
 The smallest mistake to catch, a box test that is forgotten, costs a hundred times as many.
 """
 
@@ -100,7 +100,8 @@ SLOWEST, START_SECONDS = 20.0, 0.3
 """A submission may take 0.3 s + 20 times the model solution's CPU time, start of the worker
 included in both.
 
-Measured: the slowest right traversals (recursion, vectors on the heap, no early out) take 2 to 4
-times as long as the model solution. The trial on 202,520 faces has 6,000 rays: the model takes
-0.1 s, so 2.3 s are allowed; a copy of the nodes alone (4.2 MB) costs each ray 0.5 ms or more, 3 s.
+Measured: the slowest right traversals (recursion, vectors on the heap, no early out) take 2 to
+4 times as long as the model solution. The trial on 202,520 faces has 6,000 rays: the model
+takes 0.1 s, so 2.3 s are allowed; a copy of the nodes alone (4.2 MB) costs each ray 0.5 ms or
+more, together 3 s.
 """

@@ -8,7 +8,7 @@ from pathlib import Path
 from grader.build.callgraph import read_llvm, read_vcg
 from grader.build.compiler import Compiler, find_compiler
 from grader.build.diagnostics import SOURCE_NAME, read_diagnostics
-from grader.build.workspace import GRADED, SANITIZED, Flavour, Workspace, workspace
+from grader.build.workspace import GRADED, GRAPH, SANITIZED, Flavour, Workspace, workspace
 from grader.errors import BuildFault
 from grader.model.stages import Build, CallGraph, Diagnostic, Submission
 from grader.sandbox.launch import Order, Outcome, launch
@@ -16,11 +16,7 @@ from grader.sandbox.launch import Order, Outcome, launch
 COMPILE_SECONDS = 60.0
 LINK_SECONDS = 30.0
 KEPT_OUTPUT = 64 << 10
-PLAIN_MESSAGES = (
-    "-fmax-errors=20",
-    "-fdiagnostics-color=never",
-    "-fno-diagnostics-show-caret",
-)
+PLAIN_MESSAGES = ("-fdiagnostics-color=never",)
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,12 +43,12 @@ def compile_submission(submission: Submission, folder: Path) -> Build:
     source = folder / SOURCE_NAME
     source.parent.mkdir(parents=True)
     source.write_bytes(submission.source)
-    # The graded build comes last: it takes longest to start being useless if the file is wrong.
     with ThreadPoolExecutor(2) as pool:
-        frameworks = list(pool.map(lambda f: workspace(compiler, f), (GRADED, SANITIZED)))
+        flavours = (GRADED, SANITIZED, GRAPH)
+        frameworks = list(pool.map(lambda each: workspace(compiler, each), flavours))
         plain = pool.submit(_link, frameworks[0], folder, GRADED)
         sanitized = pool.submit(_link, frameworks[1], folder, SANITIZED)
-        graph = pool.submit(_call_graph, compiler, frameworks[0], folder)
+        graph = pool.submit(_call_graph, compiler, frameworks[2], folder)
     linked = plain.result()
     return Build(
         library=linked.library,
@@ -120,11 +116,10 @@ def _messages(outcome: Outcome, doing: str, seconds: float) -> tuple[Diagnostic,
 
 def _call_graph(compiler: Compiler, framework: Workspace, folder: Path) -> CallGraph | None:
     """Ask the front end who calls whom; None if it does not get through the file."""
-    plain = [word for word in framework.compile_command if not word.startswith("-O")]
     gnu = compiler.name == "g++"
     result = folder / ("graph.s" if gnu else "graph.ll")
     kind = ["-fcallgraph-info"] if gnu else ["-emit-llvm"]
-    step = [*plain, "-O0", "-w", *kind, "-S", SOURCE_NAME, "-o", str(result)]
+    step = [*framework.compile_command, *kind, "-S", SOURCE_NAME, "-o", str(result)]
     outcome = launch(Order(step, COMPILE_SECONDS, KEPT_OUTPUT, folder))
     written = folder / "graph.ci" if gnu else result
     if outcome.code != 0 or not written.is_file():

@@ -4,6 +4,7 @@ import os
 import re
 import shutil
 from dataclasses import dataclass
+from pathlib import Path
 
 from grader.errors import MissingTool
 from grader.sandbox.launch import Order, launch
@@ -58,8 +59,9 @@ def sanitizer_runtime(compiler: Compiler) -> str:
     """Path of the shared AddressSanitizer, which must be loaded before Python itself."""
     name = "libasan.so" if compiler.name == "g++" else "libclang_rt.asan-x86_64.so"
     outcome = launch(Order([compiler.path, f"-print-file-name={name}"], seconds=20.0))
-    path = outcome.out.decode(errors="replace").strip()
-    if outcome.code != 0 or not os.path.isabs(path):
+    path = Path(outcome.out.decode(errors="replace").strip())
+    # A compiler that does not have the file answers with the bare name.
+    if outcome.code != 0 or not path.is_absolute():
         message = f"{compiler.title} has no shared AddressSanitizer ({name}); install it"
         raise MissingTool(message)
-    return os.path.realpath(path)
+    return str(path.resolve())

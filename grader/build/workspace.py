@@ -3,6 +3,9 @@
 CMake configures `student_stub` without any submission and builds the framework's objects. The
 commands that compile and link a submission are CMake's own (`compile_commands.json` and the
 Makefile generator's `link.txt`), so a grade cannot drift from what a student builds by hand.
+The standard headers that `common.h` brings along are precompiled, which saves a third of the time
+of every compilation. Only those: what a submission writes before it includes the exercise's own
+headers still takes effect on them.
 A workspace is keyed by the content of the stub, the compiler and the options; it is used only
 if its last step, a stamp, was written.
 """
@@ -12,7 +15,7 @@ import hashlib
 import json
 import shlex
 import shutil
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -23,11 +26,12 @@ from grader.errors import BuildFault
 from grader.sandbox.launch import Order, launch
 from grader.tolerances import SMALL_MAX_DEPTH
 
-LAYOUT = 1
+LAYOUT = 3
 """Changes when this file builds something else from the same stub."""
 
 FRAMEWORK_SECONDS = 300.0
 PLACEHOLDER = "src/exercise03.cpp"
+STANDARD_HEADERS = "standard.h"
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,6 +43,12 @@ class Flavour:
 
 
 GRADED = Flavour("graded", ("-DCMAKE_BUILD_TYPE=Release",))
+GRAPH = Flavour("graph", ("-DCMAKE_BUILD_TYPE=None", "-DCMAKE_CXX_FLAGS=-O0 -w"))
+"""Not optimised, so that the call graph holds every call; nothing of it is ever run.
+
+Nothing is precompiled either: g++ 12 crashes if it meets such a header and `-fcallgraph-info`.
+"""
+
 SANITIZED = Flavour(
     "sanitized",
     (
@@ -74,6 +84,8 @@ def workspace(compiler: Compiler, flavour: Flavour) -> Workspace:
         if not stamp.exists():
             shutil.rmtree(folder, ignore_errors=True)
             _compile_framework(stub, folder, compiler, flavour)
+            if flavour is not GRAPH:
+                _precompile(folder, compiler)
             stamp.touch()
     return _read_commands(folder)
 
@@ -109,13 +121,30 @@ def _compile_framework(stub: Path, folder: Path, compiler: Compiler, flavour: Fl
         shutil.copyfile(path, target)
     configure = ["cmake", "-S", copy, "-B", folder / "build", "-G", "Unix Makefiles"]
     configure += [f"-DCMAKE_CXX_COMPILER={compiler.path}", *flavour.options]
-    build = ["cmake", "--build", folder / "build", "--target", "framework", "--parallel", "2"]
-    for step in (configure, build):
-        outcome = launch(Order([str(word) for word in step], FRAMEWORK_SECONDS))
-        if outcome.code != 0 or outcome.timed_out:
-            log = (outcome.out + outcome.err).decode(errors="replace")[-4000:]
-            message = f"the framework did not build with {compiler.title}:\n{log}"
-            raise BuildFault(message)
+    _step(configure, compiler)
+    if flavour is not GRAPH:
+        build = ["cmake", "--build", folder / "build", "--target", "framework"]
+        _step([*build, "--parallel", "2"], compiler)
+
+
+def _precompile(folder: Path, compiler: Compiler) -> None:
+    """Precompile the standard headers of common.h with the flags of this flavour."""
+    common = (folder / "stub" / "include" / "common.h").read_text()
+    names = [line for line in common.splitlines() if line.startswith("#include <")]
+    command = _read_commands(folder).compile_command
+    header = folder / STANDARD_HEADERS
+    header.write_text("\n".join(names) + "\n")
+    ending = ".gch" if compiler.name == "g++" else ".pch"
+    output = header.with_suffix(f".h{ending}")
+    _step([*command, "-x", "c++-header", header, "-o", output], compiler)
+
+
+def _step(command: Sequence[str | Path], compiler: Compiler) -> None:
+    outcome = launch(Order([str(word) for word in command], FRAMEWORK_SECONDS))
+    if outcome.code != 0 or outcome.timed_out:
+        log = (outcome.out + outcome.err).decode(errors="replace")[-4000:]
+        message = f"the framework did not build with {compiler.title}:\n{log}"
+        raise BuildFault(message)
 
 
 def _read_commands(folder: Path) -> Workspace:
@@ -125,9 +154,9 @@ def _read_commands(folder: Path) -> Workspace:
     mine = next(entry for entry in commands if entry["file"] == source)
     words = shlex.split(mine["command"])
     object_name = words[words.index("-o") + 1]
-    compile_command = tuple(
-        word for word in words if word not in ("-c", "-o", object_name, source)
-    )
+    compile_command = [word for word in words if word not in ("-c", "-o", object_name, source)]
+    if (folder / STANDARD_HEADERS).exists():
+        compile_command += ["-include", str(folder / STANDARD_HEADERS)]
     link = shlex.split((build / "CMakeFiles/exercise03.dir/link.txt").read_text())
     library = link[link.index("-o") + 1]
     objects = [
@@ -135,4 +164,4 @@ def _read_commands(folder: Path) -> Workspace:
         for word in link
         if word not in ("-o", library, object_name)
     ]
-    return Workspace(compile_command, tuple(objects))
+    return Workspace(tuple(compile_command), tuple(objects))

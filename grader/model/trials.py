@@ -95,7 +95,7 @@ class WorkTrial:
 
 @dataclass(frozen=True, slots=True)
 class RepeatTrial:
-    """Call `intersect` for the same rays again: reversed, repeated, in threads, after others."""
+    """Call `intersect` for the same rays: reversed, again, after others, from threads."""
 
     name: str
     mesh: Mesh

@@ -234,9 +234,7 @@ def _work(trial: WorkTrial) -> Request:
         found = traced(result)
         boxes, triangles = found.tests
         seconds = ending.cpu_seconds
-        return (
-            WorkCase(trial.name, trial, found.hits[0], boxes, triangles, seconds, seconds),
-        )
+        return (WorkCase(trial.name, trial, found.hits[0], boxes, triangles, seconds, seconds),)
 
     return Request(job, read)
 

@@ -17,6 +17,9 @@ from grader.run.session import Engine, run_job
 LARGE_MESH = 20_000
 """Meshes of more faces than this get the rubric's larger time limit."""
 
+HUGE_MESH = 1_000_000
+"""Beyond this the time limit grows with the faces."""
+
 HURRIED_SECONDS = 1.0
 PATIENCE = 3
 """After this many time-outs in one part the other trials of it get `HURRIED_SECONDS`."""
@@ -52,8 +55,10 @@ class Budget:
     def seconds(self, trial: Trial) -> float:
         """Wall seconds for a trial; 0 if nothing is left."""
         mesh = trial.first if isinstance(trial, RebuildTrial) else trial.mesh
-        large = len(mesh.faces) > LARGE_MESH
-        allowed = self._limits.large_seconds if large else self._limits.small_seconds
+        faces = len(mesh.faces)
+        allowed = self._limits.small_seconds
+        if faces > LARGE_MESH:
+            allowed = self._limits.large_seconds * max(1.0, faces / HUGE_MESH)
         with self._lock:
             if self._timeouts[part_of(trial)] >= PATIENCE:
                 allowed = HURRIED_SECONDS

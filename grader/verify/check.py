@@ -62,7 +62,9 @@ def check(
     return declare
 
 
-def judged(wrong: Mask, example: Callable[[int], Example], examined: int | None = None) -> Evidence:
+def judged(
+    wrong: Mask, example: Callable[[int], Example], examined: int | None = None
+) -> Evidence:
     """Count a mask and word its first three places.
 
     Args:

@@ -72,10 +72,11 @@ def splits_the_longest_axis(case: TreeCase) -> Evidence:
     def describe(k: int) -> Example:
         got = " or ".join(AXES[axis] for axis in np.flatnonzero(found.ordered[k]))
         wanted = " or ".join(AXES[axis] for axis in np.flatnonzero(found.longest[k]))
-        text = f"node {found.node[k]} is divided along {got}, but its box is largest along {wanted}"
+        node = found.node[k]
+        text = f"node {node} is divided along {got}, but its box is largest along {wanted}"
         return Example(text, wanted, got)
 
-    return judged(wrong, describe, examined=int(judgeable.sum()))
+    return judged(np.asarray(wrong), describe, examined=int(judgeable.sum()))
 
 
 @check(TreeCase, "bvh.splits-at-the-median", needs=READABLE, when=needs_a_split)
@@ -105,4 +106,3 @@ def splits_at_the_median(case: TreeCase) -> Evidence:
 
     wrong = unequal | mixed
     return judged(np.asarray(wrong), describe)
-

@@ -222,7 +222,9 @@ def _difference(mesh: Mesh, fresh: Bvh, later: Bvh) -> str:
         return flaw.message
     mine, yours = shape(later), shape(fresh)
     if not np.array_equal(mine.reached, yours.reached):
-        return f"{mine.reached.size:,} nodes are in use, but {yours.reached.size:,} in a new tree"
+        return (
+            f"{mine.reached.size:,} nodes are in use, but {yours.reached.size:,} in a new tree"
+        )
     used = mine.reached
     if (later.begin[used] != fresh.begin[used]).any() or (
         later.end[used] != fresh.end[used]
