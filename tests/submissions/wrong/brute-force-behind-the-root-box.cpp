@@ -1,0 +1,84 @@
+// expect: work.uses-the-tree, work.excludes-most-triangles
+// untouched: a
+// mistake: Only the box of the root is tested, then all faces.
+#include "bvh.h"
+#include "intersection.h"
+#include "mesh.h"
+#include "ray.h"
+#include "triangle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <queue>
+#include <stack>
+#include <vector>
+
+void BVH::construct(const Mesh& mesh)
+{
+    nodes.clear();
+    faceIndices.clear();
+    const auto numFaces = static_cast<uint32_t>(mesh.getFaces().size());
+    if (numFaces == 0)
+        return;
+    for (uint32_t i = 0; i < numFaces; ++i)
+        faceIndices.push_back(i);
+    nodes.push_back({mesh.getBounds(), 0, numFaces});
+
+    auto makeNode = [&](uint32_t begin, uint32_t end) {
+        Node node{{}, begin, end};
+        for (auto face : getFaceIndices(node)) {
+            auto triangle = mesh.getTriangleFromFaceIndex(face);
+            node.bounds.extend(triangle.v1);
+            node.bounds.extend(triangle.v2);
+            node.bounds.extend(triangle.v3);
+        }
+        return node;
+    };
+
+    size_t levelBegin = 0;
+    for (uint32_t depth = 0; depth < maxDepth; ++depth) {
+        const size_t levelEnd = nodes.size();
+        bool split = false;
+        for (size_t i = levelBegin; i < levelEnd; ++i) {
+            const Node node = nodes[i];
+            if (node.facesEnd - node.facesBegin <= numFacesPerLeaf) {
+                nodes.push_back(Node{});
+                nodes.push_back(Node{});
+                continue;
+            }
+            split = true;
+            const uint32_t mid = node.facesBegin + (node.facesEnd - node.facesBegin) / 2;
+            const uint8_t axis = node.bounds.extents().maxDimension();
+            auto faces = getFaceIndices(node);
+            std::nth_element(faces.begin(), faces.begin() + (mid - node.facesBegin), faces.end(),
+                             [&](uint32_t a, uint32_t b) {
+                                 auto s = mesh.getTriangleFromFaceIndex(a);
+                                 auto t = mesh.getTriangleFromFaceIndex(b);
+                                 const auto sum = [](const Triangle& x) { return x.v1 + x.v2 + x.v3; };
+                                 return sum(s)[axis] < sum(t)[axis];
+                             });
+            nodes.push_back(makeNode(node.facesBegin, mid));
+            nodes.push_back(makeNode(mid, node.facesEnd));
+        }
+        levelBegin = levelEnd;
+        if (!split)
+            break;
+    }
+    while (nodes.back().facesEnd == 0)
+        nodes.pop_back();
+}
+
+Intersection intersect(const Mesh& mesh, const IntersectionRay& ray)
+{
+    Intersection best;
+    const auto& nodes = mesh.getBVH().getNodes();
+    if (nodes.empty() || !intersect(nodes[0].bounds, ray))
+        return best;
+    for (size_t face = 0; face < mesh.getFaces().size(); ++face) {
+        const Intersection hit = intersect(mesh.getTriangleFromFaceIndex(face), ray);
+        if (hit.t < best.t)
+            best = hit;
+    }
+    return best;
+}

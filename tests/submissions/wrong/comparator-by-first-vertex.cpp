@@ -1,0 +1,72 @@
+// expect: bvh.splits-at-the-median
+// untouched: b
+// mistake: The comparator compares the first vertices, not the centres.
+#include "bvh.h"
+#include "intersection.h"
+#include "mesh.h"
+#include "ray.h"
+#include "triangle.h"
+
+#include <queue>
+
+void BVH::construct(const Mesh& mesh)
+{
+    const uint32_t n = uint32_t(mesh.getFaces().size());
+    *this = {};
+    faceIndices.resize(n);
+    for (uint32_t i = 0; i < n; ++i)
+        faceIndices[i] = i;
+    nodes.push_back({mesh.getBounds(), 0, n});
+
+    const size_t firstOfLastLevel = (size_t(1) << maxDepth) - 1;
+    for (size_t i = 0; i < nodes.size() && i < firstOfLastLevel; ++i) {
+        const uint32_t begin = nodes[i].facesBegin;
+        const uint32_t end = nodes[i].facesEnd;
+        if (end - begin <= numFacesPerLeaf)
+            continue;
+        const uint8_t axis = nodes[i].bounds.extents().maxDimension();
+        const auto center = [&](uint32_t f) {
+            const Triangle t = mesh.getTriangleFromFaceIndex(f);
+            return t.v1[axis];
+        };
+        const uint32_t mid = (begin + end) / 2;
+        std::nth_element(faceIndices.begin() + begin, faceIndices.begin() + mid, faceIndices.begin() + end,
+                         [&](uint32_t a, uint32_t b) { return center(a) < center(b); });
+        const auto boxOf = [&](uint32_t from, uint32_t to) {
+            AABB box;
+            for (uint32_t k = from; k < to; ++k) {
+                const Triangle t = mesh.getTriangleFromFaceIndex(faceIndices[k]);
+                box.min = min(box.min, min(t.v1, min(t.v2, t.v3)));
+                box.max = max(box.max, max(t.v1, max(t.v2, t.v3)));
+            }
+            return box;
+        };
+        nodes.resize(std::max(nodes.size(), 2 * i + 3));
+        nodes[2 * i + 1] = Node{boxOf(begin, mid), begin, mid};
+        nodes[2 * i + 2] = Node{boxOf(mid, end), mid, end};
+    }
+}
+
+Intersection intersect(const Mesh& mesh, const IntersectionRay& ray)
+{
+    Intersection closest;
+    const auto& bvh = mesh.getBVH();
+    const auto& nodes = bvh.getNodes();
+    std::queue<uint32_t> open;
+    if (!nodes.empty() && nodes[0].facesEnd > 0)
+        open.push(0);
+    for (; !open.empty(); open.pop()) {
+        const uint32_t i = open.front();
+        if (!intersect(nodes[i].bounds, ray))
+            continue;
+        if (const uint32_t left = 2 * i + 1; left < nodes.size() && nodes[left].facesEnd != 0) {
+            open.push(left);
+            open.push(left + 1);
+            continue;
+        }
+        for (uint32_t f : bvh.getFaceIndices(nodes[i]))
+            if (auto hit = intersect(mesh.getTriangleFromFaceIndex(f), ray); hit.t < closest.t)
+                closest = hit;
+    }
+    return closest;
+}

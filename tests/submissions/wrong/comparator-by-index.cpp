@@ -1,0 +1,67 @@
+// expect: bvh.splits-at-the-median
+// untouched: b
+// mistake: The comparator compares the face indices, not the centres.
+#include "bvh.h"
+#include "intersection.h"
+#include "mesh.h"
+#include "ray.h"
+#include "triangle.h"
+
+
+void BVH::construct(const Mesh& mesh)
+{
+    const uint32_t n = uint32_t(mesh.getFaces().size());
+    *this = {};
+    faceIndices.resize(n);
+    for (uint32_t i = 0; i < n; ++i)
+        faceIndices[i] = i;
+    nodes.push_back({mesh.getBounds(), 0, n});
+
+    const size_t firstOfLastLevel = (size_t(1) << maxDepth) - 1;
+    for (size_t i = 0; i < nodes.size() && i < firstOfLastLevel; ++i) {
+        const uint32_t begin = nodes[i].facesBegin;
+        const uint32_t end = nodes[i].facesEnd;
+        if (end - begin <= numFacesPerLeaf)
+            continue;
+        const uint32_t mid = (begin + end) / 2;
+        std::nth_element(faceIndices.begin() + begin, faceIndices.begin() + mid, faceIndices.begin() + end,
+                         [&](uint32_t a, uint32_t b) { return a < b; });
+        const auto boxOf = [&](uint32_t from, uint32_t to) {
+            AABB box;
+            for (uint32_t k = from; k < to; ++k) {
+                const Triangle t = mesh.getTriangleFromFaceIndex(faceIndices[k]);
+                box.min = min(box.min, min(t.v1, min(t.v2, t.v3)));
+                box.max = max(box.max, max(t.v1, max(t.v2, t.v3)));
+            }
+            return box;
+        };
+        nodes.resize(std::max(nodes.size(), 2 * i + 3));
+        nodes[2 * i + 1] = Node{boxOf(begin, mid), begin, mid};
+        nodes[2 * i + 2] = Node{boxOf(mid, end), mid, end};
+    }
+}
+
+Intersection intersect(const Mesh& mesh, const IntersectionRay& ray)
+{
+    Intersection best;
+    const BVH& bvh = mesh.getBVH();
+    const auto& nodes = bvh.getNodes();
+    std::vector<size_t> current, next;
+    if (!nodes.empty())
+        current.push_back(0);
+    for (; !current.empty(); current.swap(next), next.clear())  // level by level
+        for (size_t i : current) {
+            if (!intersect(nodes[i].bounds, ray))
+                continue;
+            if (2 * i + 2 < nodes.size() && nodes[2 * i + 1].facesEnd != 0) {
+                next.push_back(2 * i + 1);
+                next.push_back(2 * i + 2);
+            } else
+                for (uint32_t face : bvh.getFaceIndices(nodes[i])) {
+                    const Intersection hit = intersect(mesh.getTriangleFromFaceIndex(face), ray);
+                    if (hit.t < best.t)
+                        best = hit;
+                }
+        }
+    return best;
+}

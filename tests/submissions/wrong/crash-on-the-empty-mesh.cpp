@@ -1,0 +1,90 @@
+// expect: bvh.survives-every-mesh
+// untouched: b
+// mistake: The first face is used before asking whether there is one.
+#include "bvh.h"
+#include "intersection.h"
+#include "mesh.h"
+#include "ray.h"
+#include "triangle.h"
+
+#include <algorithm>
+#include <numeric>
+#include <queue>
+#include <stack>
+
+Point3D triangleCenter(const Triangle& triangle)
+{
+    return (triangle.v1 + triangle.v2 + triangle.v3) / 3.0f;
+}
+
+void BVH::construct(const Mesh& mesh)
+{
+    const uint32_t numFaces = static_cast<uint32_t>(mesh.getFaces().size());
+    faceIndices.resize(numFaces);
+    std::iota(faceIndices.begin(), faceIndices.end(), 0u);
+    AABB bounds = mesh.getBounds();
+    bounds.extend(mesh.getTriangleFromFaceIndex(0).v1);
+    nodes.assign(1, Node{bounds, 0, numFaces});
+
+    struct Entry { uint32_t node; uint32_t depth; };
+    std::queue<Entry> todo;
+    todo.push({0, 0});
+    while (!todo.empty()) {
+        const Entry entry = todo.front();
+        todo.pop();
+        const Node node = nodes[entry.node];
+        if (node.facesEnd - node.facesBegin <= numFacesPerLeaf || entry.depth >= maxDepth)
+            continue;
+
+        const uint8_t axis = node.bounds.extents().maxDimension();
+        const uint32_t middle = node.facesBegin + (node.facesEnd - node.facesBegin) / 2;
+        std::nth_element(faceIndices.begin() + node.facesBegin, faceIndices.begin() + middle,
+                         faceIndices.begin() + node.facesEnd, [&](uint32_t a, uint32_t b) {
+                             return triangleCenter(mesh.getTriangleFromFaceIndex(a))[axis] <
+                                    triangleCenter(mesh.getTriangleFromFaceIndex(b))[axis];
+                         });
+
+        Node left{AABB{}, node.facesBegin, middle};
+        Node right{AABB{}, middle, node.facesEnd};
+        for (Node* child : {&left, &right})
+            for (uint32_t face : getFaceIndices(*child)) {
+                const Triangle triangle = mesh.getTriangleFromFaceIndex(face);
+                child->bounds.extend(triangle.v1);
+                child->bounds.extend(triangle.v2);
+                child->bounds.extend(triangle.v3);
+            }
+
+        const uint32_t leftIndex = 2 * entry.node + 1;
+        if (nodes.size() < leftIndex + 2)
+            nodes.resize(leftIndex + 2);
+        nodes[leftIndex] = left;
+        nodes[leftIndex + 1] = right;
+        todo.push({leftIndex, entry.depth + 1});
+        todo.push({leftIndex + 1, entry.depth + 1});
+    }
+}
+
+Intersection intersect(const Mesh& mesh, const IntersectionRay& ray)
+{
+    Intersection best;
+    const BVH& bvh = mesh.getBVH();
+    const auto& nodes = bvh.getNodes();
+    std::vector<size_t> current, next;
+    if (!nodes.empty())
+        current.push_back(0);
+    for (; !current.empty(); current.swap(next), next.clear())  // level by level
+        for (size_t i : current) {
+            if (!intersect(nodes[i].bounds, ray))
+                continue;
+            if (2 * i + 2 < nodes.size() && nodes[2 * i + 1].facesEnd != 0) {
+                next.push_back(2 * i + 1);
+                next.push_back(2 * i + 2);
+            } else
+                for (uint32_t face : bvh.getFaceIndices(nodes[i])) {
+                    const Intersection hit = intersect(mesh.getTriangleFromFaceIndex(face), ray);
+                    if (hit.t < best.t)
+                        best = hit;
+                }
+        }
+    return best;
+}

@@ -1,0 +1,82 @@
+// expect: hits.misses-stay-infinite
+// untouched: a
+// mistake: t starts at t_max, which is returned where a ray with an end hits nothing.
+#include "bvh.h"
+#include "intersection.h"
+#include "mesh.h"
+#include "ray.h"
+#include "triangle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+void BVH::construct(const Mesh& mesh)
+{
+    const uint32_t numFaces = uint32_t(mesh.getFaces().size());
+    std::vector<Point3D> center(numFaces);
+    std::vector<AABB> box(numFaces);
+    faceIndices.resize(numFaces);
+    for (uint32_t f = 0; f < numFaces; ++f) {
+        const Triangle t = mesh.getTriangleFromFaceIndex(f);
+        center[f] = (t.v1 + t.v2 + t.v3) / 3.f;
+        box[f].extend(t.v1);
+        box[f].extend(t.v2);
+        box[f].extend(t.v3);
+        faceIndices[f] = f;
+    }
+    nodes.clear();
+    nodes.push_back(Node{mesh.getBounds(), 0, numFaces});
+    std::vector<uint32_t> todo{0};
+    for (size_t done = 0; done < todo.size(); ++done) {
+        const uint32_t i = todo[done];
+        const Node node = nodes[i];
+        const uint32_t count = node.facesEnd - node.facesBegin;
+        if (count <= numFacesPerLeaf || i + 1 >= (1u << maxDepth))
+            continue;
+        const auto faces = getFaceIndices(node);
+        const auto axis = node.bounds.extents().maxDimension();
+        std::nth_element(faces.begin(), faces.begin() + count / 2, faces.end(),
+                         [&](uint32_t a, uint32_t b) { return center[a][axis] < center[b][axis]; });
+        if (nodes.size() < 2 * i + 3)
+            nodes.resize(2 * i + 3);
+        nodes[2 * i + 1] = Node{{}, node.facesBegin, node.facesBegin + count / 2};
+        nodes[2 * i + 2] = Node{{}, node.facesBegin + count / 2, node.facesEnd};
+        for (uint32_t child : {2 * i + 1, 2 * i + 2}) {
+            for (uint32_t f : getFaceIndices(nodes[child]))
+                nodes[child].bounds.extend(box[f]);
+            todo.push_back(child);
+        }
+    }
+}
+
+Intersection intersect(const Mesh& mesh, const IntersectionRay& ray)
+{
+    Intersection result;
+    result.t = std::min(ray.t_max, 1e6f);
+    const BVH& bvh = mesh.getBVH();
+    const auto& nodes = bvh.getNodes();
+    if (nodes.empty())
+        return result;
+    IntersectionRay shrinking = ray;
+    std::vector<size_t> stack;
+    stack.reserve(64);
+    stack.push_back(0);
+    while (!stack.empty()) {
+        const size_t i = stack.back();
+        stack.pop_back();
+        if (!intersect(nodes[i].bounds, shrinking))
+            continue;
+        if (2 * i + 2 < nodes.size() && nodes[2 * i + 1].facesEnd != 0) {
+            stack.push_back(2 * i + 2);
+            stack.push_back(2 * i + 1);
+        } else {
+            for (uint32_t face : bvh.getFaceIndices(nodes[i]))
+                if (const Intersection hit = intersect(mesh.getTriangleFromFaceIndex(face), shrinking)) {
+                    result = hit;
+                    shrinking.t_max = hit.t;
+                }
+        }
+    }
+    return result;
+}

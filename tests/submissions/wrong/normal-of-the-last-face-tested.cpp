@@ -1,0 +1,96 @@
+// expect: hits.record-is-complete
+// untouched: a
+// mistake: The normal belongs to the face that was tested last.
+#include "bvh.h"
+#include "intersection.h"
+#include "mesh.h"
+#include "ray.h"
+#include "triangle.h"
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+void BVH::construct(const Mesh& mesh)
+{
+    nodes.clear();
+    faceIndices.clear();
+    const auto numFaces = static_cast<uint32_t>(mesh.getFaces().size());
+    if (numFaces == 0)
+        return;
+    for (uint32_t i = 0; i < numFaces; ++i)
+        faceIndices.push_back(i);
+    nodes.push_back({mesh.getBounds(), 0, numFaces});
+
+    auto makeNode = [&](uint32_t begin, uint32_t end) {
+        Node node{{}, begin, end};
+        for (auto face : getFaceIndices(node)) {
+            auto triangle = mesh.getTriangleFromFaceIndex(face);
+            node.bounds.extend(triangle.v1);
+            node.bounds.extend(triangle.v2);
+            node.bounds.extend(triangle.v3);
+        }
+        return node;
+    };
+
+    size_t levelBegin = 0;
+    for (uint32_t depth = 0; depth < maxDepth; ++depth) {
+        const size_t levelEnd = nodes.size();
+        bool split = false;
+        for (size_t i = levelBegin; i < levelEnd; ++i) {
+            const Node node = nodes[i];
+            if (node.facesEnd - node.facesBegin <= numFacesPerLeaf) {
+                nodes.push_back(Node{});
+                nodes.push_back(Node{});
+                continue;
+            }
+            split = true;
+            const uint32_t mid = node.facesBegin + (node.facesEnd - node.facesBegin) / 2;
+            const uint8_t axis = node.bounds.extents().maxDimension();
+            auto faces = getFaceIndices(node);
+            std::nth_element(faces.begin(), faces.begin() + (mid - node.facesBegin), faces.end(),
+                             [&](uint32_t a, uint32_t b) {
+                                 auto s = mesh.getTriangleFromFaceIndex(a);
+                                 auto t = mesh.getTriangleFromFaceIndex(b);
+                                 const auto sum = [](const Triangle& x) { return x.v1 + x.v2 + x.v3; };
+                                 return sum(s)[axis] < sum(t)[axis];
+                             });
+            nodes.push_back(makeNode(node.facesBegin, mid));
+            nodes.push_back(makeNode(mid, node.facesEnd));
+        }
+        levelBegin = levelEnd;
+        if (!split)
+            break;
+    }
+    while (nodes.back().facesEnd == 0)
+        nodes.pop_back();
+}
+
+Intersection intersect(const Mesh& mesh, const IntersectionRay& ray)
+{
+    const BVH& bvh = mesh.getBVH();
+    const auto& nodes = bvh.getNodes();
+    Intersection best;
+    std::vector<uint32_t> todo;
+    if (!nodes.empty())
+        todo.push_back(0);
+    while (!todo.empty()) {
+        const uint32_t i = todo.back();
+        todo.pop_back();
+        const bool leaf = 2 * i + 1 >= nodes.size() || nodes[2 * i + 1].facesEnd == 0;
+        if (leaf) {  // the triangles are tested at once, the leaf's own box is not worth it
+            for (uint32_t face : bvh.getFaceIndices(nodes[i])) {
+                const Intersection hit = intersect(mesh.getTriangleFromFaceIndex(face), ray);
+                if (hit.t < best.t)
+                    best = hit;
+                const Triangle triangle = mesh.getTriangleFromFaceIndex(face);
+                if (best && cross(triangle.v1v2, triangle.v1v3).norm() > 0)
+                    best.normal = cross(triangle.v1v2, triangle.v1v3).normalized();
+            }
+        } else if (intersect(nodes[i].bounds, ray)) {
+            todo.push_back(2 * i + 1);
+            todo.push_back(2 * i + 2);
+        }
+    }
+    return best;
+}

@@ -1,0 +1,92 @@
+// expect: bvh.splits-at-the-median
+// untouched: b
+// mistake: The second and third argument of nth_element are exchanged.
+#include "bvh.h"
+#include "intersection.h"
+#include "mesh.h"
+#include "ray.h"
+#include "triangle.h"
+
+#include <algorithm>
+#include <iostream>
+#include <numeric>
+#include <queue>
+#include <stack>
+
+Point3D triangleCenter(const Triangle& triangle)
+{
+    return (triangle.v1 + triangle.v2 + triangle.v3) / 3.0f;
+}
+
+void BVH::construct(const Mesh& mesh)
+{
+    const uint32_t numFaces = static_cast<uint32_t>(mesh.getFaces().size());
+    faceIndices.resize(numFaces);
+    std::iota(faceIndices.begin(), faceIndices.end(), 0u);
+    nodes.assign(1, Node{mesh.getBounds(), 0, numFaces});
+
+    struct Entry { uint32_t node; uint32_t depth; };
+    std::queue<Entry> todo;
+    todo.push({0, 0});
+    while (!todo.empty()) {
+        const Entry entry = todo.front();
+        todo.pop();
+        const Node node = nodes[entry.node];
+        if (node.facesEnd - node.facesBegin <= numFacesPerLeaf || entry.depth >= maxDepth)
+            continue;
+
+        const uint8_t axis = node.bounds.extents().maxDimension();
+        const uint32_t middle = node.facesBegin + (node.facesEnd - node.facesBegin) / 2;
+        std::nth_element(faceIndices.begin() + node.facesBegin, faceIndices.begin() + node.facesEnd,
+                         faceIndices.begin() + middle, [&](uint32_t a, uint32_t b) {
+                             return triangleCenter(mesh.getTriangleFromFaceIndex(a))[axis] <
+                                    triangleCenter(mesh.getTriangleFromFaceIndex(b))[axis];
+                         });
+
+        Node left{AABB{}, node.facesBegin, middle};
+        Node right{AABB{}, middle, node.facesEnd};
+        for (Node* child : {&left, &right})
+            for (uint32_t face : getFaceIndices(*child)) {
+                const Triangle triangle = mesh.getTriangleFromFaceIndex(face);
+                child->bounds.extend(triangle.v1);
+                child->bounds.extend(triangle.v2);
+                child->bounds.extend(triangle.v3);
+            }
+
+        const uint32_t leftIndex = 2 * entry.node + 1;
+        if (nodes.size() < leftIndex + 2)
+            nodes.resize(leftIndex + 2);
+        nodes[leftIndex] = left;
+        nodes[leftIndex + 1] = right;
+        todo.push({leftIndex, entry.depth + 1});
+        todo.push({leftIndex + 1, entry.depth + 1});
+    }
+}
+
+Intersection intersect(const Mesh& mesh, const IntersectionRay& ray)
+{
+    const auto& baum = mesh.getBVH();
+    const auto& knoten = baum.getNodes();
+    Intersection naechster;  // t ist unendlich
+    if (knoten.empty()) return naechster;
+
+    uint32_t stapel[64];
+    int hoehe = 0;
+    stapel[hoehe++] = 0;
+    while (hoehe > 0) {
+        const uint32_t i = stapel[--hoehe];
+        if (!intersect(knoten[i].bounds, ray)) continue;
+        const uint32_t links = 2 * i + 1, rechts = 2 * i + 2;
+        const bool blatt = rechts >= knoten.size() || knoten[links].facesEnd == 0 || knoten[rechts].facesEnd == 0;
+        if (!blatt) {
+            stapel[hoehe++] = links;
+            stapel[hoehe++] = rechts;
+        } else {
+            for (auto f : baum.getFaceIndices(knoten[i])) {
+                auto treffer = intersect(mesh.getTriangleFromFaceIndex(f), ray);
+                if (treffer.t < naechster.t) naechster = treffer;
+            }
+        }
+    }
+    return naechster;
+}

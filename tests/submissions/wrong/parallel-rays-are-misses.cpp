@@ -1,0 +1,95 @@
+// expect: hits.special-rays
+// untouched: a
+// mistake: The own box test rejects every ray that is parallel to a side.
+#include "bvh.h"
+#include "intersection.h"
+#include "mesh.h"
+#include "ray.h"
+#include "triangle.h"
+
+#include <cmath>
+#include <vector>
+
+void BVH::construct(const Mesh& mesh)
+{
+    const uint32_t numFaces = uint32_t(mesh.getFaces().size());
+    std::vector<Point3D> center(numFaces);
+    std::vector<AABB> box(numFaces);
+    faceIndices.resize(numFaces);
+    for (uint32_t f = 0; f < numFaces; ++f) {
+        const Triangle t = mesh.getTriangleFromFaceIndex(f);
+        center[f] = (t.v1 + t.v2 + t.v3) / 3.f;
+        box[f].extend(t.v1);
+        box[f].extend(t.v2);
+        box[f].extend(t.v3);
+        faceIndices[f] = f;
+    }
+    nodes.clear();
+    nodes.push_back(Node{mesh.getBounds(), 0, numFaces});
+    std::vector<uint32_t> todo{0};
+    for (size_t done = 0; done < todo.size(); ++done) {
+        const uint32_t i = todo[done];
+        const Node node = nodes[i];
+        const uint32_t count = node.facesEnd - node.facesBegin;
+        if (count <= numFacesPerLeaf || i + 1 >= (1u << maxDepth))
+            continue;
+        const auto faces = getFaceIndices(node);
+        const auto axis = node.bounds.extents().maxDimension();
+        std::nth_element(faces.begin(), faces.begin() + count / 2, faces.end(),
+                         [&](uint32_t a, uint32_t b) { return center[a][axis] < center[b][axis]; });
+        if (nodes.size() < 2 * i + 3)
+            nodes.resize(2 * i + 3);
+        nodes[2 * i + 1] = Node{{}, node.facesBegin, node.facesBegin + count / 2};
+        nodes[2 * i + 2] = Node{{}, node.facesBegin + count / 2, node.facesEnd};
+        for (uint32_t child : {2 * i + 1, 2 * i + 2}) {
+            for (uint32_t f : getFaceIndices(nodes[child]))
+                nodes[child].bounds.extend(box[f]);
+            todo.push_back(child);
+        }
+    }
+}
+
+static bool hitsBox(const AABB& box, const IntersectionRay& ray, float closest)
+{
+    float enter = ray.t_min;
+    float leave = std::min(ray.t_max, closest);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (ray.direction[axis] == 0.0f) {
+            return false;
+        }
+        float t0 = (box.min[axis] - ray.origin[axis]) / ray.direction[axis];
+        float t1 = (box.max[axis] - ray.origin[axis]) / ray.direction[axis];
+        if (t0 > t1)
+            std::swap(t0, t1);
+        // a little slack against rounding
+        enter = std::max(enter, t0 - 1e-6f * std::abs(t0));
+        leave = std::min(leave, t1 + 1e-6f * std::abs(t1));
+    }
+    return enter <= leave;
+}
+
+Intersection intersect(const Mesh& mesh, const IntersectionRay& ray)
+{
+    Intersection best;
+    const auto& nodes = mesh.getBVH().getNodes();
+    if (nodes.empty())
+        return best;
+    std::vector<uint32_t> todo{0};
+    while (!todo.empty()) {
+        const uint32_t i = todo.back();
+        todo.pop_back();
+        if (!hitsBox(nodes[i].bounds, ray, best.t + 1e-5f * std::abs(best.t)))
+            continue;
+        if (2 * i + 1 < nodes.size() && nodes[2 * i + 1].facesEnd != 0) {
+            todo.push_back(2 * i + 2);
+            todo.push_back(2 * i + 1);
+        } else {
+            for (uint32_t face : mesh.getBVH().getFaceIndices(nodes[i])) {
+                const Intersection hit = intersect(mesh.getTriangleFromFaceIndex(face), ray);
+                if (hit.t < best.t)
+                    best = hit;
+            }
+        }
+    }
+    return best;
+}

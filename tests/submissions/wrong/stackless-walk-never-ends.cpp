@@ -1,0 +1,94 @@
+// expect: hits.survives-every-ray
+// untouched: a
+// mistake: After a right child the stackless walk climbs one level only and goes round in circles.
+#include "bvh.h"
+#include "intersection.h"
+#include "mesh.h"
+#include "ray.h"
+#include "triangle.h"
+
+#include <algorithm>
+#include <numeric>
+#include <queue>
+#include <stack>
+
+Point3D triangleCenter(const Triangle& triangle)
+{
+    return (triangle.v1 + triangle.v2 + triangle.v3) / 3.0f;
+}
+
+void BVH::construct(const Mesh& mesh)
+{
+    const uint32_t numFaces = static_cast<uint32_t>(mesh.getFaces().size());
+    faceIndices.resize(numFaces);
+    std::iota(faceIndices.begin(), faceIndices.end(), 0u);
+    nodes.assign(1, Node{mesh.getBounds(), 0, numFaces});
+
+    struct Entry { uint32_t node; uint32_t depth; };
+    std::queue<Entry> todo;
+    todo.push({0, 0});
+    while (!todo.empty()) {
+        const Entry entry = todo.front();
+        todo.pop();
+        const Node node = nodes[entry.node];
+        if (node.facesEnd - node.facesBegin <= numFacesPerLeaf || entry.depth >= maxDepth)
+            continue;
+
+        const uint8_t axis = node.bounds.extents().maxDimension();
+        const uint32_t middle = node.facesBegin + (node.facesEnd - node.facesBegin) / 2;
+        std::nth_element(faceIndices.begin() + node.facesBegin, faceIndices.begin() + middle,
+                         faceIndices.begin() + node.facesEnd, [&](uint32_t a, uint32_t b) {
+                             return triangleCenter(mesh.getTriangleFromFaceIndex(a))[axis] <
+                                    triangleCenter(mesh.getTriangleFromFaceIndex(b))[axis];
+                         });
+
+        Node left{AABB{}, node.facesBegin, middle};
+        Node right{AABB{}, middle, node.facesEnd};
+        for (Node* child : {&left, &right})
+            for (uint32_t face : getFaceIndices(*child)) {
+                const Triangle triangle = mesh.getTriangleFromFaceIndex(face);
+                child->bounds.extend(triangle.v1);
+                child->bounds.extend(triangle.v2);
+                child->bounds.extend(triangle.v3);
+            }
+
+        const uint32_t leftIndex = 2 * entry.node + 1;
+        if (nodes.size() < leftIndex + 2)
+            nodes.resize(leftIndex + 2);
+        nodes[leftIndex] = left;
+        nodes[leftIndex + 1] = right;
+        todo.push({leftIndex, entry.depth + 1});
+        todo.push({leftIndex + 1, entry.depth + 1});
+    }
+}
+
+Intersection intersect(const Mesh& mesh, const IntersectionRay& ray)
+{
+    Intersection best;
+    const BVH& bvh = mesh.getBVH();
+    const std::vector<BVH::Node>& nodes = bvh.getNodes();
+    if (!bvh.isConstructed())
+        return best;
+
+    size_t i = 0;
+    for (;;) {
+        const BVH::Node& node = nodes[i];
+        if (intersect(node.bounds, ray)) {
+            if (2 * i + 2 < nodes.size() && nodes[2 * i + 1].facesEnd > 0) {
+                i = 2 * i + 1;
+                continue;
+            }
+            for (const uint32_t face : bvh.getFaceIndices(node)) {
+                const Intersection hit = intersect(mesh.getTriangleFromFaceIndex(face), ray);
+                if (hit && hit.t < best.t)
+                    best = hit;
+            }
+        }
+        if (i == 0)
+            return best;
+        if (i % 2 == 0)
+            i = (i - 1) / 2;
+        else
+            ++i;  // the right sibling
+    }
+}
