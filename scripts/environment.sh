@@ -8,7 +8,7 @@ unset PYTHONHOME PYTHONPATH
 
 die() {
     printf '%s: %s\n' "$(basename "$0")" "$1" >&2
-    exit 3
+    exit "${2:-3}"
 }
 
 find_python() {
@@ -53,7 +53,7 @@ is_ready() {
 install() {
     local python extra=''
     if [ "$1" = dev ]; then extra='[dev]'; fi
-    printf 'Setting up .venv (only now and when pyproject.toml changes; about a minute) ...\n' >&2
+    printf 'Setting up .venv (only now and when pyproject.toml changes; up to a minute) ...\n' >&2
     if ! "$venv/bin/python" -m pip --version >/dev/null 2>&1; then
         python=$(find_python) || exit
         "$python" -c 'import venv, ensurepip' 2>/dev/null ||

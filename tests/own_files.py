@@ -40,7 +40,8 @@ def texts() -> Iterator[Path]:
     while waiting:
         for path in sorted(waiting.pop().iterdir()):
             hidden_folder = path.is_dir() and path.name.startswith(".") and path.name != ".ci"
-            if path.name in skipped or hidden_folder or path.is_symlink():
+            compiled = path == ROOT / "student_stub" / "build"
+            if path.name in skipped or hidden_folder or compiled or path.is_symlink():
                 continue
             if path.is_dir():
                 waiting.append(path)

@@ -1,0 +1,177 @@
+"""The documents are true: their commands run, their paths exist, their points add up."""
+
+import json
+import os
+import re
+import subprocess
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from grader.cli import main
+from grader.score.rubric import load_rubric
+from tests.own_files import ROOT
+
+DOCUMENTS = [
+    ROOT / "README.md",
+    ROOT / "CONTRIBUTING.md",
+    ROOT / "docs" / "student.md",
+    ROOT / "student_stub" / "README.md",
+    ROOT / "scenes" / "README.md",
+]
+MADE_BY_A_COMMAND = ("build/", "cube.png", "bvhgrade-out", ".venv", "result.json")
+
+
+def commands(document: Path) -> list[str]:
+    """The lines of shell in a document: fenced as `sh`, indented, or a command in backticks."""
+    text = document.read_text()
+    fenced = "\n".join(re.findall(r"```sh\n(.*?)```", text, re.DOTALL))
+    outside = re.sub(r"```.*?```", "", text, flags=re.DOTALL)
+    indented = "\n".join(re.findall(r"^    (\S.*)$", outside, re.MULTILINE))
+    inline = "\n".join(re.findall(r"`((?:bvhgrade|scripts/\w+) [^`\n]*)`", outside))
+    lines = "\n".join((fenced, indented, inline)).splitlines()
+    return [line.split("  #")[0].strip() for line in lines if line.strip()]
+
+
+EVERY_COMMAND = [
+    pytest.param(document, line, id=f"{document.relative_to(ROOT)}: {line}")
+    for document in DOCUMENTS
+    for line in commands(document)
+]
+
+
+@pytest.mark.parametrize(("document", "line"), EVERY_COMMAND)
+def test_every_command_exists(document: Path, line: str) -> None:
+    """A command is known, takes the options shown, and names files that are there."""
+    program, *arguments = line.split()
+    if program == "bvhgrade":
+        assert_understood(arguments)
+    elif program in {"scripts/grade", "scripts/test", "scripts/check", ".ci/run"}:
+        assert os.access(ROOT / program, os.X_OK)
+        assert_present(ROOT, arguments)
+    elif program == "cmake":
+        presets = json.loads((document.parent / "CMakePresets.json").read_text())
+        assert arguments[-1] in {one["name"] for one in presets["configurePresets"]}
+    elif program == "build/Release/preview":
+        assert_present(document.parent, arguments)
+    elif program == "sudo":
+        assert arguments[:2] == ["apt-get", "install"]
+        assert set(arguments[2:]) <= installed_packages()
+    else:
+        pytest.fail(f"{line}: what is this?")
+
+
+def assert_understood(arguments: list[str]) -> None:
+    """The help of the command knows every option, and the command itself exists."""
+    words = [word for word in arguments if re.fullmatch(r"[a-z]+", word)]
+    path = words[:2] if words[0] == "scenes" else words[:1]
+    result = CliRunner().invoke(main, [*path, "--help"])
+    assert result.exit_code == 0, result.output
+    options = [word for word in arguments if word.startswith("-")]
+    assert all(option in result.output for option in options), result.output
+    criteria = {one.check for one in load_rubric().criteria}
+    assert all(word in criteria for word in arguments if re.fullmatch(r"[a-z]+\.[a-z-]+", word))
+
+
+def assert_present(folder: Path, arguments: list[str]) -> None:
+    """Every argument that looks like a path is one, unless a command makes it."""
+    for word in arguments:
+        if "/" in word and not word.startswith(MADE_BY_A_COMMAND):
+            assert (folder / word).exists(), word
+
+
+def installed_packages() -> set[str]:
+    """What the script for a bare machine installs."""
+    script = (ROOT / ".ci" / "run").read_text()
+    return set(re.findall(r"missing\+=\(([\w+.-]+)\)", script))
+
+
+@pytest.mark.parametrize("document", DOCUMENTS, ids=lambda path: str(path.relative_to(ROOT)))
+def test_every_path_exists(document: Path) -> None:
+    """What is written in backticks with a slash or as a document is there."""
+    outside = re.sub(r"```.*?```", "", document.read_text(), flags=re.DOTALL)
+    named = re.findall(r"`([\w.-]+(?:/[\w.-]*)+|[A-Z]+\.md)`", outside)
+    for name in named:
+        if name.startswith(MADE_BY_A_COMMAND):
+            continue
+        places = [ROOT / name, document.parent / name, ROOT / "grader" / name]
+        assert any(place.exists() for place in [*places, ROOT / "tests" / "submissions" / name])
+
+
+def test_the_student_reads_the_real_points() -> None:
+    """The tables in docs/student.md are the rubric."""
+    rows = re.findall(
+        r"^\| `([a-z-]+\.[a-z-]+)` \| ([^|]+) \|",
+        (ROOT / "docs" / "student.md").read_text(),
+        re.MULTILINE,
+    )
+    worth = [
+        (one.check, ", ".join([f"{one.points:g}"] * bool(one.points) + ["gate"] * one.gate))
+        for one in load_rubric().criteria
+    ]
+    assert rows == worth
+
+
+def test_the_changelog_has_the_section_on_grades() -> None:
+    """Every version says whether grades can move."""
+    text = (ROOT / "CHANGELOG.md").read_text()
+    versions = re.findall(r"^## ", text, re.MULTILINE)
+    assert len(re.findall(r"^### Changes to grades$", text, re.MULTILINE)) == len(versions) > 0
+
+
+def run(command: list[str], folder: Path) -> subprocess.CompletedProcess[str]:
+    """Run a script of the checkout from somewhere else."""
+    return subprocess.run(
+        [str(ROOT / command[0]), *command[1:]],
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
+def test_the_first_command_grades(tmp_path: Path) -> None:
+    """`scripts/grade` works from any folder: 50 of 50 for the reference."""
+    reference = str(ROOT / "reference" / "src" / "exercise03.cpp")
+    result = run(["scripts/grade", reference, "-o", "out"], tmp_path)
+    assert result.returncode == 0, result.stdout + result.stderr
+    told = json.loads((tmp_path / "out" / "result.json").read_text())
+    assert (told["score"], told["max_score"]) == (50, 50)
+    assert "dragon" in json.dumps(told) + result.stdout
+
+
+def test_the_starter_has_not_been_started(tmp_path: Path) -> None:
+    """0 of 50, and of each part the sentence that says so."""
+    starter = str(ROOT / "student_stub" / "src" / "exercise03.cpp")
+    result = run(["scripts/grade", starter, "-o", "out"], tmp_path)
+    assert result.returncode == 0, result.stdout + result.stderr
+    assert json.loads((tmp_path / "out" / "result.json").read_text())["score"] == 0
+    assert result.stdout.count("not started") >= 2
+
+
+def test_the_second_command_takes_pytests_arguments(tmp_path: Path) -> None:
+    """`scripts/test` runs one test and prints pytest's closing line."""
+    one = "tests/test_readme.py::test_the_changelog_has_the_section_on_grades"
+    result = run(["scripts/test", "-n", "0", one], tmp_path)
+    assert result.returncode == 0, result.stdout + result.stderr
+    assert re.search(r"\b1 passed in ", result.stdout.splitlines()[-1])
+
+
+def test_a_skipped_test_is_red(tmp_path: Path) -> None:
+    """The plugin in tests/conftest.py turns a skip into a failure."""
+    (tmp_path / "test_skip.py").write_text(
+        "import pytest\n@pytest.mark.skip\ndef test_a():\n    pass\n"
+    )
+    (tmp_path / "conftest.py").write_bytes((ROOT / "tests" / "conftest.py").read_bytes())
+    config = ["-c", "/dev/null", "--rootdir", str(tmp_path), "-p", "no:cacheprovider"]
+    result = run(["scripts/test", "-n", "0", *config, str(tmp_path / "test_skip.py")], tmp_path)
+    assert result.returncode == 1, result.stdout + result.stderr
+    assert "1 failed" in result.stdout
+
+
+def test_check_refuses_what_it_does_not_know(tmp_path: Path) -> None:
+    """A misspelt option does not pass for a check."""
+    result = run(["scripts/check", "--fats"], tmp_path)
+    assert result.returncode == 2
+    assert "--fast or nothing is expected" in result.stderr
