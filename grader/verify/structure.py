@@ -155,9 +155,11 @@ def _stops_at_a_full_level(case: TreeCase) -> bool:
     of four holds at most nine faces.
     """
     bvh, form = case.bvh, shape(case.bvh)
-    held = bvh.end[form.leaves].astype(np.int64) - bvh.begin[form.leaves]
+    held = bvh.end.astype(np.int64) - bvh.begin
     one_level = form.leaves.size == 2**form.depth
-    return bool(one_level and held.max() <= 2 * FACES_PER_LEAF + 1)
+    small_leaves = held[form.leaves].max(initial=0) <= 2 * FACES_PER_LEAF + 1
+    needed = held[form.inner].min(initial=FACES_PER_LEAF + 1) > FACES_PER_LEAF
+    return bool(one_level and small_leaves and needed)
 
 
 @check(DepthCase, "bvh.depth-is-limited")
