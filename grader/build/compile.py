@@ -5,8 +5,8 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
-from grader.build.callgraph import read_llvm, read_vcg
-from grader.build.compiler import Compiler, find_compiler
+from grader.build.callgraph import read_assembly
+from grader.build.compiler import find_compiler
 from grader.build.diagnostics import SOURCE_NAME, read_diagnostics
 from grader.build.workspace import GRADED, GRAPH, SANITIZED, Flavour, Workspace, workspace
 from grader.errors import BuildFault
@@ -48,7 +48,7 @@ def compile_submission(submission: Submission, folder: Path) -> Build:
         frameworks = list(pool.map(lambda each: workspace(compiler, each), flavours))
         plain = pool.submit(_link, frameworks[0], folder, GRADED)
         sanitized = pool.submit(_link, frameworks[1], folder, SANITIZED)
-        graph = pool.submit(_call_graph, compiler, frameworks[2], folder)
+        graph = pool.submit(_call_graph, frameworks[2], folder)
     linked = plain.result()
     return Build(
         library=linked.library,
@@ -114,15 +114,11 @@ def _messages(outcome: Outcome, doing: str, seconds: float) -> tuple[Diagnostic,
     return (*found, Diagnostic(0, 0, "error", text))
 
 
-def _call_graph(compiler: Compiler, framework: Workspace, folder: Path) -> CallGraph | None:
+def _call_graph(framework: Workspace, folder: Path) -> CallGraph | None:
     """Ask the front end who calls whom; None if it does not get through the file."""
-    gnu = compiler.name == "g++"
-    result = folder / ("graph.s" if gnu else "graph.ll")
-    kind = ["-fcallgraph-info"] if gnu else ["-emit-llvm"]
-    step = [*framework.compile_command, *kind, "-S", SOURCE_NAME, "-o", str(result)]
+    result = folder / "graph.s"
+    step = [*framework.compile_command, "-S", SOURCE_NAME, "-o", str(result)]
     outcome = launch(Order(step, COMPILE_SECONDS, KEPT_OUTPUT, folder))
-    written = folder / "graph.ci" if gnu else result
-    if outcome.code != 0 or not written.is_file():
+    if outcome.code != 0 or not result.is_file():
         return None
-    text = written.read_bytes()
-    return read_vcg(text) if gnu else read_llvm(text)
+    return read_assembly(result.read_bytes())

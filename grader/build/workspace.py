@@ -26,7 +26,7 @@ from grader.errors import BuildFault
 from grader.sandbox.launch import Order, launch
 from grader.tolerances import SMALL_MAX_DEPTH
 
-LAYOUT = 3
+LAYOUT = 4
 """Changes when this file builds something else from the same stub."""
 
 FRAMEWORK_SECONDS = 300.0
@@ -43,11 +43,8 @@ class Flavour:
 
 
 GRADED = Flavour("graded", ("-DCMAKE_BUILD_TYPE=Release",))
-GRAPH = Flavour("graph", ("-DCMAKE_BUILD_TYPE=None", "-DCMAKE_CXX_FLAGS=-O0 -w"))
-"""Not optimised, so that the call graph holds every call; nothing of it is ever run.
-
-Nothing is precompiled either: g++ 12 crashes if it meets such a header and `-fcallgraph-info`.
-"""
+GRAPH = Flavour("graph", ("-DCMAKE_BUILD_TYPE=None", "-DCMAKE_CXX_FLAGS=-O0 -g1 -w"))
+"""Not optimised, so that the call graph holds every call; nothing of it is ever run."""
 
 SANITIZED = Flavour(
     "sanitized",
@@ -84,8 +81,7 @@ def workspace(compiler: Compiler, flavour: Flavour) -> Workspace:
         if not stamp.exists():
             shutil.rmtree(folder, ignore_errors=True)
             _compile_framework(stub, folder, compiler, flavour)
-            if flavour is not GRAPH:
-                _precompile(folder, compiler)
+            _precompile(folder, compiler)
             stamp.touch()
     return _read_commands(folder)
 
