@@ -2,12 +2,13 @@
 
 The assembly text of a build without optimisation holds every call: nothing is inlined yet, and
 overloads, templates and lambdas are already resolved to mangled names. A call through a pointer
-is a call of `ANYTHING`, which in turn calls every function whose address is taken or stands in a table. The text is
-the compiler's, but the names in it are the student's; they are compared and never used for
-anything else.
+is a call of `ANYTHING`, which in turn calls every function whose address is taken or stands in
+a table. The text is the compiler's, but the names in it are the student's; they are compared
+and never used for anything else.
 """
 
 import re
+from collections.abc import Iterator
 
 from grader.build.diagnostics import SOURCE_NAME
 from grader.model.stages import Call, CallGraph
@@ -23,7 +24,7 @@ _LABEL = re.compile(rb'^"?([\w.$]{1,4096})"?:')
 _NAME = re.compile(rb"[A-Za-z_][\w.$]{1,4096}")
 _CALL = re.compile(rb"^(call|jmp|bl?$|b[lr]+$)")
 _POINTER_CALL = re.compile(rb"^(call\w*\s+\*|blr\s)")
-_TABLE = re.compile(rb"^\s*\.(?:quad|xword|8byte)\s+([\w.$]{1,4096})")
+_TABLE = re.compile(rb"^\.(?:quad|xword|8byte)\s+([\w.$]{1,4096})")
 _FILE = re.compile(rb'^\s*\.file\s+(\d+)\s+(?:"[^"\n]*"\s+)?"([^"\n]*)"')
 _LINE = re.compile(rb"^\s*\.loc\s+(\d+)\s+(\d{1,7})\b")
 
@@ -35,24 +36,27 @@ def read_assembly(text: bytes) -> CallGraph:
     own = {match[1] for row in rows if (match := _FILE.match(row)) and _is_own(match[2])}
     calls: dict[tuple[bytes, bytes], None] = {}
     lines: dict[bytes, int] = {}
-    caller = b""
-    for row in rows:
-        if (label := _LABEL.match(row)) and label[1] in functions:
-            caller = label[1]
-        elif row.lstrip().startswith(b".size"):
-            caller = b""
-        elif not caller and (entry := _TABLE.match(row)) and entry[1] in functions:
-            calls[ANYTHING, entry[1]] = None
-        elif caller and (place := _LINE.match(row)):
-            if place[1] in own:
-                lines.setdefault(caller, int(place[2]))
-        elif caller and len(calls) < MAX_CALLS:
-            for call in _called(caller, row, functions):
-                calls[call] = None
+    for caller, row in _placed(rows, functions):
+        if (place := _LINE.match(row)) and caller and place[1] in own:
+            lines.setdefault(caller, int(place[2]))
+        elif len(calls) < MAX_CALLS:
+            calls |= dict.fromkeys(_called(caller, row, functions))
     return CallGraph(
         calls=tuple(Call(_text(a), _text(b)) for a, b in calls),
         lines=tuple((_text(name), line) for name, line in lines.items()),
     )
+
+
+def _placed(rows: list[bytes], functions: set[bytes]) -> Iterator[tuple[bytes, bytes]]:
+    """Each row with the function it lies in; nothing for data."""
+    caller = b""
+    for row in rows:
+        if label := _LABEL.match(row):
+            caller = label[1] if label[1] in functions else caller
+        elif row.lstrip().startswith(b".size"):
+            caller = b""
+        else:
+            yield caller, row
 
 
 def _is_own(name: bytes) -> bool:
@@ -60,17 +64,18 @@ def _is_own(name: bytes) -> bool:
 
 
 def _called(caller: bytes, row: bytes, functions: set[bytes]) -> list[tuple[bytes, bytes]]:
-    """Calls in one instruction: of functions of this file, and of any C++ one elsewhere."""
+    """Calls in one row: of functions of this file, and of any C++ one elsewhere."""
     row = row.strip()
-    if row.startswith(b"."):
-        return []
+    if not caller or row.startswith(b"."):
+        entry = _TABLE.match(row)
+        return [(ANYTHING, entry[1])] if entry and entry[1] in functions else []
     if _POINTER_CALL.match(row):
         return [(caller, ANYTHING)]
     words = row.split(None, 1)
     names = _NAME.findall(words[1]) if len(words) > 1 else []
     known = [name for name in names if name in functions or name.startswith(b"_Z")]
     direct = [(caller, name) for name in known]
-    if _CALL.match(words[0] if words else b""):
+    if words and _CALL.match(words[0]):
         return direct
     return direct + [(ANYTHING, name) for name in known if name in functions]
 
