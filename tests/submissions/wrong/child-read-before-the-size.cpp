@@ -8,58 +8,52 @@
 #include "triangle.h"
 
 #include <algorithm>
+#include <bit>
 #include <numeric>
 #include <queue>
 #include <stack>
-#include <vector>
-
-namespace {
-struct Job { size_t node; uint32_t depth; };
-}
 
 void BVH::construct(const Mesh& mesh)
 {
-    const size_t count = mesh.getFaces().size();
-    std::vector<Point3D> centers;
-    centers.reserve(count);
+    uint32_t numFaces = mesh.getFaces().size();
     faceIndices.clear();
-    faceIndices.reserve(count);
-    for (size_t i = 0; i < count; ++i) {
-        const auto t = mesh.getTriangleFromFaceIndex(i);
-        centers.push_back((t.v1 + t.v2 + t.v3) / 3.f);
-        faceIndices.push_back(static_cast<uint32_t>(i));
-    }
-
+    for (uint32_t i = 0; i != numFaces; i++)
+        faceIndices.push_back(i);
     nodes.clear();
-    nodes.push_back(Node{.bounds = mesh.getBounds(), .facesBegin = 0, .facesEnd = static_cast<uint32_t>(count)});
-    std::vector<Job> jobs{{0, 0}};
-    while (!jobs.empty()) {
-        const Job job = jobs.back();
-        jobs.pop_back();
-        const Node parent = nodes[job.node];
-        const uint32_t size = parent.facesEnd - parent.facesBegin;
-        if (size <= numFacesPerLeaf || job.depth == maxDepth)
+    nodes.push_back(Node{mesh.getBounds(), 0, numFaces});
+
+    for (uint32_t i = 0; i < nodes.size(); i++) {
+        Node node = nodes[i];
+        uint32_t level = std::bit_width(i + 1);  // 1 for the root
+        if (level >= maxDepth || node.facesEnd - node.facesBegin <= numFacesPerLeaf)
             continue;
 
-        const auto axis = parent.bounds.extents().maxDimension();
-        auto faces = getFaceIndices(parent);
-        std::sort(faces.begin(), faces.end(), [&centers, axis](uint32_t a, uint32_t b) { return centers[a][axis] < centers[b][axis]; });
+        Vector3D size = node.bounds.extents();
+        int axis = 0;
+        if (size.y > size[axis]) axis = 1;
+        if (size.z > size[axis]) axis = 2;
 
-        const uint32_t split = parent.facesBegin + size / 2;
-        Node children[2] = {{AABB{}, parent.facesBegin, split}, {AABB{}, split, parent.facesEnd}};
-        if (nodes.size() < 2 * job.node + 3)
-            nodes.resize(2 * job.node + 3);
-        for (size_t c = 0; c < 2; ++c) {
-            for (uint32_t face : getFaceIndices(children[c])) {
-                const auto t = mesh.getTriangleFromFaceIndex(face);
-                AABB box;
-                box.extend(t.v1);
-                box.extend(t.v2);
-                box.extend(t.v3);
-                children[c].bounds.extend(box);
+        std::span<uint32_t> faces = getFaceIndices(node);
+        size_t half = faces.size() / 2;
+        std::nth_element(faces.begin(), faces.begin() + half, faces.end(), [&](uint32_t a, uint32_t b) {
+            Triangle s = mesh.getTriangleFromFaceIndex(a);
+            Triangle t = mesh.getTriangleFromFaceIndex(b);
+            return s.v1[axis] / 3 + s.v2[axis] / 3 + s.v3[axis] / 3 < t.v1[axis] / 3 + t.v2[axis] / 3 + t.v3[axis] / 3;
+        });
+
+        if (nodes.size() < 2 * i + 3)
+            nodes.resize(2 * i + 3);
+        for (int side = 0; side < 2; side++) {
+            Node& child = nodes[2 * i + 1 + side];
+            child.facesBegin = node.facesBegin + (side ? half : 0);
+            child.facesEnd = side ? node.facesEnd : node.facesBegin + half;
+            child.bounds = AABB();
+            for (uint32_t f : getFaceIndices(child)) {
+                Triangle t = mesh.getTriangleFromFaceIndex(f);
+                child.bounds.extend(t.v1);
+                child.bounds.extend(t.v2);
+                child.bounds.extend(t.v3);
             }
-            nodes[2 * job.node + 1 + c] = children[c];
-            jobs.push_back({2 * job.node + 1 + c, job.depth + 1});
         }
     }
 }

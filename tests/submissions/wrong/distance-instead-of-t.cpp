@@ -8,48 +8,57 @@
 #include "triangle.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <queue>
 #include <stack>
-#include <vector>
+
+Point3D triangleCenter(const Triangle& triangle)
+{
+    return (triangle.v1 + triangle.v2 + triangle.v3) / 3.0f;
+}
 
 void BVH::construct(const Mesh& mesh)
 {
-    const uint32_t numFaces = uint32_t(mesh.getFaces().size());
-    std::vector<Point3D> center(numFaces);
-    std::vector<AABB> box(numFaces);
+    const uint32_t numFaces = static_cast<uint32_t>(mesh.getFaces().size());
     faceIndices.resize(numFaces);
-    for (uint32_t f = 0; f < numFaces; ++f) {
-        const Triangle t = mesh.getTriangleFromFaceIndex(f);
-        center[f] = (t.v1 + t.v2 + t.v3) / 3.f;
-        box[f].extend(t.v1);
-        box[f].extend(t.v2);
-        box[f].extend(t.v3);
-        faceIndices[f] = f;
-    }
-    nodes.clear();
-    nodes.push_back(Node{mesh.getBounds(), 0, numFaces});
-    std::vector<uint32_t> todo{0};
-    for (size_t done = 0; done < todo.size(); ++done) {
-        const uint32_t i = todo[done];
-        const Node node = nodes[i];
-        const uint32_t count = node.facesEnd - node.facesBegin;
-        if (count <= numFacesPerLeaf || i + 1 >= (1u << maxDepth))
+    std::iota(faceIndices.begin(), faceIndices.end(), 0u);
+    nodes.assign(1, Node{mesh.getBounds(), 0, numFaces});
+
+    struct Entry { uint32_t node; uint32_t depth; };
+    std::queue<Entry> todo;
+    todo.push({0, 0});
+    while (!todo.empty()) {
+        const Entry entry = todo.front();
+        todo.pop();
+        const Node node = nodes[entry.node];
+        if (node.facesEnd - node.facesBegin <= numFacesPerLeaf || entry.depth >= maxDepth)
             continue;
-        const auto faces = getFaceIndices(node);
-        const auto axis = node.bounds.extents().maxDimension();
-        std::nth_element(faces.begin(), faces.begin() + count / 2, faces.end(),
-                         [&](uint32_t a, uint32_t b) { return center[a][axis] < center[b][axis]; });
-        if (nodes.size() < 2 * i + 3)
-            nodes.resize(2 * i + 3);
-        nodes[2 * i + 1] = Node{{}, node.facesBegin, node.facesBegin + count / 2};
-        nodes[2 * i + 2] = Node{{}, node.facesBegin + count / 2, node.facesEnd};
-        for (uint32_t child : {2 * i + 1, 2 * i + 2}) {
-            for (uint32_t f : getFaceIndices(nodes[child]))
-                nodes[child].bounds.extend(box[f]);
-            todo.push_back(child);
-        }
+
+        const uint8_t axis = node.bounds.extents().maxDimension();
+        const uint32_t middle = node.facesBegin + (node.facesEnd - node.facesBegin) / 2;
+        std::nth_element(faceIndices.begin() + node.facesBegin, faceIndices.begin() + middle,
+                         faceIndices.begin() + node.facesEnd, [&](uint32_t a, uint32_t b) {
+                             return triangleCenter(mesh.getTriangleFromFaceIndex(a))[axis] <
+                                    triangleCenter(mesh.getTriangleFromFaceIndex(b))[axis];
+                         });
+
+        Node left{AABB{}, node.facesBegin, middle};
+        Node right{AABB{}, middle, node.facesEnd};
+        for (Node* child : {&left, &right})
+            for (uint32_t face : getFaceIndices(*child)) {
+                const Triangle triangle = mesh.getTriangleFromFaceIndex(face);
+                child->bounds.extend(triangle.v1);
+                child->bounds.extend(triangle.v2);
+                child->bounds.extend(triangle.v3);
+            }
+
+        const uint32_t leftIndex = 2 * entry.node + 1;
+        if (nodes.size() < leftIndex + 2)
+            nodes.resize(leftIndex + 2);
+        nodes[leftIndex] = left;
+        nodes[leftIndex + 1] = right;
+        todo.push({leftIndex, entry.depth + 1});
+        todo.push({leftIndex + 1, entry.depth + 1});
     }
 }
 

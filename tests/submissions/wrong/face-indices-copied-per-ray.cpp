@@ -68,7 +68,9 @@ Intersection intersect(const Mesh& mesh, const IntersectionRay& ray)
     const BVH& bvh = mesh.getBVH();
     const auto& nodes = bvh.getNodes();
     const auto all = bvh.getNodes().empty() ? std::span<const uint32_t>{} : bvh.getFaceIndices(bvh.getNodes()[0]);
-    const std::vector<uint32_t> faceIndices(all.begin(), all.end());
+    std::vector<uint32_t> faceIndices;
+    for (const uint32_t face : all)
+        faceIndices.push_back(face);
     std::vector<size_t> current, next;
     if (!nodes.empty())
         current.push_back(0);

@@ -7,60 +7,44 @@
 #include "ray.h"
 #include "triangle.h"
 
-#include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <queue>
-#include <stack>
 #include <vector>
-
-Point3D triangleCenter(const Triangle& triangle)
-{
-    return (triangle.v1 + triangle.v2 + triangle.v3) / 3.0f;
-}
 
 void BVH::construct(const Mesh& mesh)
 {
-    const uint32_t numFaces = static_cast<uint32_t>(mesh.getFaces().size());
-    faceIndices.resize(numFaces);
-    std::iota(faceIndices.begin(), faceIndices.end(), 0u);
-    nodes.assign(1, Node{mesh.getBounds(), 0, numFaces});
+    const uint32_t n = uint32_t(mesh.getFaces().size());
+    *this = {};
+    faceIndices.resize(n);
+    for (uint32_t i = 0; i < n; ++i)
+        faceIndices[i] = i;
+    nodes.push_back({mesh.getBounds(), 0, n});
 
-    struct Entry { uint32_t node; uint32_t depth; };
-    std::queue<Entry> todo;
-    todo.push({0, 0});
-    while (!todo.empty()) {
-        const Entry entry = todo.front();
-        todo.pop();
-        const Node node = nodes[entry.node];
-        if (node.facesEnd - node.facesBegin <= numFacesPerLeaf || entry.depth >= maxDepth)
+    const size_t firstOfLastLevel = (size_t(1) << maxDepth) - 1;
+    for (size_t i = 0; i < nodes.size() && i < firstOfLastLevel; ++i) {
+        const uint32_t begin = nodes[i].facesBegin;
+        const uint32_t end = nodes[i].facesEnd;
+        if (end - begin <= numFacesPerLeaf)
             continue;
-
-        const uint8_t axis = node.bounds.extents().maxDimension();
-        const uint32_t middle = node.facesBegin + (node.facesEnd - node.facesBegin) / 2;
-        std::nth_element(faceIndices.begin() + node.facesBegin, faceIndices.begin() + middle,
-                         faceIndices.begin() + node.facesEnd, [&](uint32_t a, uint32_t b) {
-                             return triangleCenter(mesh.getTriangleFromFaceIndex(a))[axis] <
-                                    triangleCenter(mesh.getTriangleFromFaceIndex(b))[axis];
-                         });
-
-        Node left{AABB{}, node.facesBegin, middle};
-        Node right{AABB{}, middle, node.facesEnd};
-        for (Node* child : {&left, &right})
-            for (uint32_t face : getFaceIndices(*child)) {
-                const Triangle triangle = mesh.getTriangleFromFaceIndex(face);
-                child->bounds.extend(triangle.v1);
-                child->bounds.extend(triangle.v2);
-                child->bounds.extend(triangle.v3);
+        const uint8_t axis = nodes[i].bounds.extents().maxDimension();
+        const auto center = [&](uint32_t f) {
+            const Triangle t = mesh.getTriangleFromFaceIndex(f);
+            return (t.v1[axis] + t.v2[axis] + t.v3[axis]) * (1.f / 3.f);
+        };
+        const uint32_t mid = (begin + end) / 2;
+        std::nth_element(faceIndices.begin() + begin, faceIndices.begin() + mid, faceIndices.begin() + end,
+                         [&](uint32_t a, uint32_t b) { return center(a) < center(b); });
+        const auto boxOf = [&](uint32_t from, uint32_t to) {
+            AABB box;
+            for (uint32_t k = from; k < to; ++k) {
+                const Triangle t = mesh.getTriangleFromFaceIndex(faceIndices[k]);
+                box.min = min(box.min, min(t.v1, min(t.v2, t.v3)));
+                box.max = max(box.max, max(t.v1, max(t.v2, t.v3)));
             }
-
-        const uint32_t leftIndex = 2 * entry.node + 1;
-        if (nodes.size() < leftIndex + 2)
-            nodes.resize(leftIndex + 2);
-        nodes[leftIndex] = left;
-        nodes[leftIndex + 1] = right;
-        todo.push({leftIndex, entry.depth + 1});
-        todo.push({leftIndex + 1, entry.depth + 1});
+            return box;
+        };
+        nodes.resize(std::max(nodes.size(), 2 * i + 3));
+        nodes[2 * i + 1] = Node{boxOf(begin, mid), begin, mid};
+        nodes[2 * i + 2] = Node{boxOf(mid, end), mid, end};
     }
 }
 

@@ -1,6 +1,6 @@
 // expect: bvh.memory-is-safe
 // untouched: b
-// mistake: The faces are sorted through a pointer into a vector that has been moved meanwhile.
+// mistake: The last index is read through a pointer into a vector that has been moved meanwhile.
 #include "bvh.h"
 #include "intersection.h"
 #include "mesh.h"
@@ -8,6 +8,7 @@
 #include "triangle.h"
 
 #include <algorithm>
+#include <iostream>
 #include <vector>
 
 #define LEFT(i) (2 * (i) + 1)
@@ -25,8 +26,8 @@ void BVH::construct(const Mesh& mesh)
 
     const uint32_t* before = faceIndices.data();
     faceIndices.reserve(numFaces + 1);
-    if (before[numFaces - 1] + 1 != numFaces)
-        return;
+    if (before[numFaces - 1] == 0xffffffff)
+        std::cout << "too many faces\n";
 
     struct Range { size_t node, begin, end, depth; } stack[64];
     int top = 0;

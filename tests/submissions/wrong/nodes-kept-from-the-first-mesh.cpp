@@ -12,57 +12,41 @@
 
 void BVH::construct(const Mesh& mesh)
 {
-    nodes.clear();
-    faceIndices.clear();
-    const auto numFaces = static_cast<uint32_t>(mesh.getFaces().size());
-    if (numFaces == 0)
-        return;
-    for (uint32_t i = 0; i < numFaces; ++i)
-        faceIndices.push_back(i);
-    nodes.push_back({mesh.getBounds(), 0, numFaces});
-
-    auto makeNode = [&](uint32_t begin, uint32_t end) {
-        Node node{{}, begin, end};
-        for (auto face : getFaceIndices(node)) {
-            auto triangle = mesh.getTriangleFromFaceIndex(face);
-            node.bounds.extend(triangle.v1);
-            node.bounds.extend(triangle.v2);
-            node.bounds.extend(triangle.v3);
-        }
-        return node;
-    };
-
-    size_t levelBegin = 0;
-    for (uint32_t depth = 0; depth < maxDepth; ++depth) {
-        const size_t levelEnd = nodes.size();
-        bool split = false;
-        for (size_t i = levelBegin; i < levelEnd; ++i) {
-            const Node node = nodes[i];
-            if (node.facesEnd - node.facesBegin <= numFacesPerLeaf) {
-                nodes.push_back(Node{});
-                nodes.push_back(Node{});
-                continue;
-            }
-            split = true;
-            const uint32_t mid = node.facesBegin + (node.facesEnd - node.facesBegin) / 2;
-            const uint8_t axis = node.bounds.extents().maxDimension();
-            auto faces = getFaceIndices(node);
-            std::nth_element(faces.begin(), faces.begin() + (mid - node.facesBegin), faces.end(),
-                             [&](uint32_t a, uint32_t b) {
-                                 auto s = mesh.getTriangleFromFaceIndex(a);
-                                 auto t = mesh.getTriangleFromFaceIndex(b);
-                                 const auto sum = [](const Triangle& x) { return x.v1 + x.v2 + x.v3; };
-                                 return sum(s)[axis] < sum(t)[axis];
-                             });
-            nodes.push_back(makeNode(node.facesBegin, mid));
-            nodes.push_back(makeNode(mid, node.facesEnd));
-        }
-        levelBegin = levelEnd;
-        if (!split)
-            break;
+    const uint32_t numFaces = uint32_t(mesh.getFaces().size());
+    std::vector<Point3D> center(numFaces);
+    std::vector<AABB> box(numFaces);
+    faceIndices.resize(numFaces);
+    for (uint32_t f = 0; f < numFaces; ++f) {
+        const Triangle t = mesh.getTriangleFromFaceIndex(f);
+        center[f] = (t.v1 + t.v2 + t.v3) / 3.f;
+        box[f].extend(t.v1);
+        box[f].extend(t.v2);
+        box[f].extend(t.v3);
+        faceIndices[f] = f;
     }
-    while (nodes.back().facesEnd == 0)
-        nodes.pop_back();
+    nodes.clear();
+    nodes.push_back(Node{mesh.getBounds(), 0, numFaces});
+    std::vector<uint32_t> todo{0};
+    for (size_t done = 0; done < todo.size(); ++done) {
+        const uint32_t i = todo[done];
+        const Node node = nodes[i];
+        const uint32_t count = node.facesEnd - node.facesBegin;
+        if (count <= numFacesPerLeaf || i + 1 >= (1u << maxDepth))
+            continue;
+        const auto faces = getFaceIndices(node);
+        const auto axis = node.bounds.extents().maxDimension();
+        std::nth_element(faces.begin(), faces.begin() + count / 2, faces.end(),
+                         [&](uint32_t a, uint32_t b) { return center[a][axis] < center[b][axis]; });
+        if (nodes.size() < 2 * i + 3)
+            nodes.resize(2 * i + 3);
+        nodes[2 * i + 1] = Node{{}, node.facesBegin, node.facesBegin + count / 2};
+        nodes[2 * i + 2] = Node{{}, node.facesBegin + count / 2, node.facesEnd};
+        for (uint32_t child : {2 * i + 1, 2 * i + 2}) {
+            for (uint32_t f : getFaceIndices(nodes[child]))
+                nodes[child].bounds.extend(box[f]);
+            todo.push_back(child);
+        }
+    }
 }
 
 Intersection intersect(const Mesh& mesh, const IntersectionRay& ray)

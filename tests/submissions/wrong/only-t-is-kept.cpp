@@ -14,39 +14,37 @@
 
 void BVH::construct(const Mesh& mesh)
 {
-    const uint32_t n = uint32_t(mesh.getFaces().size());
-    *this = {};
-    faceIndices.resize(n);
-    for (uint32_t i = 0; i < n; ++i)
-        faceIndices[i] = i;
-    nodes.push_back({mesh.getBounds(), 0, n});
+    const uint32_t numFaces = uint32_t(mesh.getFaces().size());
+    faceIndices.resize(numFaces);
+    std::iota(faceIndices.begin(), faceIndices.end(), 0);
 
-    const size_t firstOfLastLevel = (size_t(1) << maxDepth) - 1;
-    for (size_t i = 0; i < nodes.size() && i < firstOfLastLevel; ++i) {
-        const uint32_t begin = nodes[i].facesBegin;
-        const uint32_t end = nodes[i].facesEnd;
-        if (end - begin <= numFacesPerLeaf)
-            continue;
-        const uint8_t axis = nodes[i].bounds.extents().maxDimension();
-        const auto center = [&](uint32_t f) {
-            const Triangle t = mesh.getTriangleFromFaceIndex(f);
-            return (t.v1[axis] + t.v2[axis] + t.v3[axis]) * (1.f / 3.f);
-        };
-        const uint32_t mid = (begin + end) / 2;
-        std::nth_element(faceIndices.begin() + begin, faceIndices.begin() + mid, faceIndices.begin() + end,
-                         [&](uint32_t a, uint32_t b) { return center(a) < center(b); });
-        const auto boxOf = [&](uint32_t from, uint32_t to) {
-            AABB box;
-            for (uint32_t k = from; k < to; ++k) {
-                const Triangle t = mesh.getTriangleFromFaceIndex(faceIndices[k]);
-                box.min = min(box.min, min(t.v1, min(t.v2, t.v3)));
-                box.max = max(box.max, max(t.v1, max(t.v2, t.v3)));
+    nodes.clear();
+    nodes.resize(2 * roundUpPowerOfTwo((numFaces + numFacesPerLeaf - 1) / numFacesPerLeaf) - 1);
+    nodes[0] = Node{mesh.getBounds(), 0, numFaces};
+
+    for (uint32_t depth = 0; depth < maxDepth; ++depth) {
+        const uint32_t first = (1u << depth) - 1;
+        for (uint32_t i = first; i <= 2 * first && 2 * i + 2 < nodes.size(); ++i) {
+            const Node& node = nodes[i];
+            if (node.facesEnd - node.facesBegin <= numFacesPerLeaf)
+                continue;
+            const auto faces = getFaceIndices(node);
+            const auto axis = node.bounds.extents().maxDimension();
+            const auto half = faces.size() / 2;
+            auto key = [&](uint32_t f) { const auto t = mesh.getTriangleFromFaceIndex(f); return ((t.v1 + t.v2 + t.v3) / 3)[axis]; };
+            std::nth_element(faces.begin(), faces.begin() + half, faces.end(), [&](auto a, auto b) { return key(a) < key(b); });
+
+            Node& left = nodes[2 * i + 1];
+            Node& right = nodes[2 * i + 2];
+            left.facesBegin = node.facesBegin;
+            left.facesEnd = right.facesBegin = node.facesBegin + uint32_t(half);
+            right.facesEnd = node.facesEnd;
+            for (size_t k = 0; k < faces.size(); ++k) {
+                const auto t = mesh.getTriangleFromFaceIndex(faces[k]);
+                AABB& box = k < half ? left.bounds : right.bounds;
+                box.extend(t.v1); box.extend(t.v2); box.extend(t.v3);
             }
-            return box;
-        };
-        nodes.resize(std::max(nodes.size(), 2 * i + 3));
-        nodes[2 * i + 1] = Node{boxOf(begin, mid), begin, mid};
-        nodes[2 * i + 2] = Node{boxOf(mid, end), mid, end};
+        }
     }
 }
 

@@ -7,42 +7,58 @@
 #include "ray.h"
 #include "triangle.h"
 
+#include <algorithm>
 #include <cmath>
 #include <deque>
-#include <queue>
+#include <vector>
+
+namespace {
+struct Job { size_t node; uint32_t depth; };
+}
 
 void BVH::construct(const Mesh& mesh)
 {
-    const uint32_t numFaces = uint32_t(mesh.getFaces().size());
-    faceIndices.resize(numFaces);
-    std::iota(faceIndices.begin(), faceIndices.end(), 0);
+    const size_t count = mesh.getFaces().size();
+    std::vector<Point3D> centers;
+    centers.reserve(count);
+    faceIndices.clear();
+    faceIndices.reserve(count);
+    for (size_t i = 0; i < count; ++i) {
+        const auto t = mesh.getTriangleFromFaceIndex(i);
+        centers.push_back((t.v1 + t.v2 + t.v3) / 3.f);
+        faceIndices.push_back(static_cast<uint32_t>(i));
+    }
 
     nodes.clear();
-    nodes.resize(2 * roundUpPowerOfTwo((numFaces + numFacesPerLeaf - 1) / numFacesPerLeaf) - 1);
-    nodes[0] = Node{mesh.getBounds(), 0, numFaces};
+    nodes.push_back(Node{.bounds = mesh.getBounds(), .facesBegin = 0, .facesEnd = static_cast<uint32_t>(count)});
+    std::vector<Job> jobs{{0, 0}};
+    while (!jobs.empty()) {
+        const Job job = jobs.back();
+        jobs.pop_back();
+        const Node parent = nodes[job.node];
+        const uint32_t size = parent.facesEnd - parent.facesBegin;
+        if (size <= numFacesPerLeaf || job.depth == maxDepth)
+            continue;
 
-    for (uint32_t depth = 0; depth < maxDepth; ++depth) {
-        const uint32_t first = (1u << depth) - 1;
-        for (uint32_t i = first; i <= 2 * first && 2 * i + 2 < nodes.size(); ++i) {
-            const Node& node = nodes[i];
-            if (node.facesEnd - node.facesBegin <= numFacesPerLeaf)
-                continue;
-            const auto faces = getFaceIndices(node);
-            const auto axis = node.bounds.extents().maxDimension();
-            const auto half = faces.size() / 2;
-            auto key = [&](uint32_t f) { const auto t = mesh.getTriangleFromFaceIndex(f); return ((t.v1 + t.v2 + t.v3) / 3)[axis]; };
-            std::nth_element(faces.begin(), faces.begin() + half, faces.end(), [&](auto a, auto b) { return key(a) < key(b); });
+        const auto axis = parent.bounds.extents().maxDimension();
+        auto faces = getFaceIndices(parent);
+        std::sort(faces.begin(), faces.end(), [&centers, axis](uint32_t a, uint32_t b) { return centers[a][axis] < centers[b][axis]; });
 
-            Node& left = nodes[2 * i + 1];
-            Node& right = nodes[2 * i + 2];
-            left.facesBegin = node.facesBegin;
-            left.facesEnd = right.facesBegin = node.facesBegin + uint32_t(half);
-            right.facesEnd = node.facesEnd;
-            for (size_t k = 0; k < faces.size(); ++k) {
-                const auto t = mesh.getTriangleFromFaceIndex(faces[k]);
-                AABB& box = k < half ? left.bounds : right.bounds;
-                box.extend(t.v1); box.extend(t.v2); box.extend(t.v3);
+        const uint32_t split = parent.facesBegin + size / 2;
+        Node children[2] = {{AABB{}, parent.facesBegin, split}, {AABB{}, split, parent.facesEnd}};
+        if (nodes.size() < 2 * job.node + 3)
+            nodes.resize(2 * job.node + 3);
+        for (size_t c = 0; c < 2; ++c) {
+            for (uint32_t face : getFaceIndices(children[c])) {
+                const auto t = mesh.getTriangleFromFaceIndex(face);
+                AABB box;
+                box.extend(t.v1);
+                box.extend(t.v2);
+                box.extend(t.v3);
+                children[c].bounds.extend(box);
             }
+            nodes[2 * job.node + 1 + c] = children[c];
+            jobs.push_back({2 * job.node + 1 + c, job.depth + 1});
         }
     }
 }

@@ -7,52 +7,62 @@
 #include "ray.h"
 #include "triangle.h"
 
-#include <bit>
 #include <cmath>
+#include <vector>
 
 void BVH::construct(const Mesh& mesh)
 {
-    uint32_t numFaces = mesh.getFaces().size();
-    faceIndices.clear();
-    for (uint32_t i = 0; i != numFaces; i++)
-        faceIndices.push_back(i);
     nodes.clear();
-    nodes.push_back(Node{mesh.getBounds(), 0, numFaces});
+    faceIndices.clear();
+    const auto numFaces = static_cast<uint32_t>(mesh.getFaces().size());
+    if (numFaces == 0)
+        return;
+    for (uint32_t i = 0; i < numFaces; ++i)
+        faceIndices.push_back(i);
+    nodes.push_back({mesh.getBounds(), 0, numFaces});
 
-    for (uint32_t i = 0; i < nodes.size(); i++) {
-        Node node = nodes[i];
-        uint32_t level = std::bit_width(i + 1);  // 1 for the root
-        if (level >= maxDepth || node.facesEnd - node.facesBegin <= numFacesPerLeaf)
-            continue;
-
-        Vector3D size = node.bounds.extents();
-        int axis = 0;
-        if (size.y > size[axis]) axis = 1;
-        if (size.z > size[axis]) axis = 2;
-
-        std::span<uint32_t> faces = getFaceIndices(node);
-        size_t half = faces.size() / 2;
-        std::nth_element(faces.begin(), faces.begin() + half, faces.end(), [&](uint32_t a, uint32_t b) {
-            Triangle s = mesh.getTriangleFromFaceIndex(a);
-            Triangle t = mesh.getTriangleFromFaceIndex(b);
-            return s.v1[axis] / 3 + s.v2[axis] / 3 + s.v3[axis] / 3 < t.v1[axis] / 3 + t.v2[axis] / 3 + t.v3[axis] / 3;
-        });
-
-        if (nodes.size() < 2 * i + 3)
-            nodes.resize(2 * i + 3);
-        for (int side = 0; side < 2; side++) {
-            Node& child = nodes[2 * i + 1 + side];
-            child.facesBegin = node.facesBegin + (side ? half : 0);
-            child.facesEnd = side ? node.facesEnd : node.facesBegin + half;
-            child.bounds = AABB();
-            for (uint32_t f : getFaceIndices(child)) {
-                Triangle t = mesh.getTriangleFromFaceIndex(f);
-                child.bounds.extend(t.v1);
-                child.bounds.extend(t.v2);
-                child.bounds.extend(t.v3);
-            }
+    auto makeNode = [&](uint32_t begin, uint32_t end) {
+        Node node{{}, begin, end};
+        for (auto face : getFaceIndices(node)) {
+            auto triangle = mesh.getTriangleFromFaceIndex(face);
+            node.bounds.extend(triangle.v1);
+            node.bounds.extend(triangle.v2);
+            node.bounds.extend(triangle.v3);
         }
+        return node;
+    };
+
+    size_t levelBegin = 0;
+    for (uint32_t depth = 0; depth < maxDepth; ++depth) {
+        const size_t levelEnd = nodes.size();
+        bool split = false;
+        for (size_t i = levelBegin; i < levelEnd; ++i) {
+            const Node node = nodes[i];
+            if (node.facesEnd - node.facesBegin <= numFacesPerLeaf) {
+                nodes.push_back(Node{});
+                nodes.push_back(Node{});
+                continue;
+            }
+            split = true;
+            const uint32_t mid = node.facesBegin + (node.facesEnd - node.facesBegin) / 2;
+            const uint8_t axis = node.bounds.extents().maxDimension();
+            auto faces = getFaceIndices(node);
+            std::nth_element(faces.begin(), faces.begin() + (mid - node.facesBegin), faces.end(),
+                             [&](uint32_t a, uint32_t b) {
+                                 auto s = mesh.getTriangleFromFaceIndex(a);
+                                 auto t = mesh.getTriangleFromFaceIndex(b);
+                                 const auto sum = [](const Triangle& x) { return x.v1 + x.v2 + x.v3; };
+                                 return sum(s)[axis] < sum(t)[axis];
+                             });
+            nodes.push_back(makeNode(node.facesBegin, mid));
+            nodes.push_back(makeNode(mid, node.facesEnd));
+        }
+        levelBegin = levelEnd;
+        if (!split)
+            break;
     }
+    while (nodes.back().facesEnd == 0)
+        nodes.pop_back();
 }
 
 static bool hitsBox(const AABB& box, const IntersectionRay& ray, float closest)

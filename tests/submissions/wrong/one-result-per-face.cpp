@@ -1,6 +1,6 @@
 // expect: work.excludes-most-triangles
 // untouched: a
-// mistake: A vector of flags for all faces is allocated for every ray.
+// mistake: A vector with one result for every face of the mesh is made for each ray, and its minimum is taken.
 #include "bvh.h"
 #include "intersection.h"
 #include "mesh.h"
@@ -58,7 +58,7 @@ Intersection intersect(const Mesh& mesh, const IntersectionRay& ray)
     if (nodes.empty())
         return closest;
 
-    std::vector<uint32_t> tested(mesh.getFaces().size());
+    std::vector<Intersection> hits(mesh.getFaces().size());
     std::stack<size_t> todo;
     todo.push(0);
     while (!todo.empty()) {
@@ -74,12 +74,11 @@ Intersection intersect(const Mesh& mesh, const IntersectionRay& ray)
             continue;
         }
         for (uint32_t face : bvh.getFaceIndices(nodes[index])) {
-            if (tested[face]++ > 0)
-                continue;
-            const Intersection hit = intersect(mesh.getTriangleFromFaceIndex(face), ray);
-            if (hit.t < closest.t)
-                closest = hit;
+            hits[face] = intersect(mesh.getTriangleFromFaceIndex(face), ray);
         }
     }
+    for (const Intersection& hit : hits)
+        if (hit.t < closest.t)
+            closest = hit;
     return closest;
 }
