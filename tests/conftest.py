@@ -30,5 +30,7 @@ def pytest_make_collect_report() -> Generator[None, pytest.CollectReport, pytest
     report = yield
     if report.skipped:
         report.outcome = "failed"
-        report.longrepr = f"{report.nodeid} was skipped, but its tests prove nothing then"
+        report.longrepr = (
+            f"{report.nodeid} was skipped, but a test that cannot run proves nothing"
+        )
     return report

@@ -4,8 +4,8 @@ CMake configures `student_stub` without any submission and builds the framework'
 commands that compile and link a submission are CMake's own (`compile_commands.json` and the
 Makefile generator's `link.txt`), so a grade cannot drift from what a student builds by hand.
 The standard headers that `common.h` brings along are precompiled, which saves a third of the
-time of every compilation. Only those: what a submission writes before it includes the exercise's own
-headers still takes effect on them.
+time of every compilation. Only those: what a submission writes before it includes the
+exercise's own headers still takes effect on them.
 A workspace is keyed by the content of the stub, the compiler and the options; it is used only
 if its last step, a stamp, was written.
 """

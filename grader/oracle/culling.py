@@ -61,10 +61,11 @@ def culled_pairs(mesh: Mesh, rays: Rays, tree: Bvh, cut: Doubles) -> Iterator[Pa
     touches = _slab_test(_boxes(mesh, tree, leaf, reach), rays, cut)
     begin, end = tree.begin.astype(np.int64), tree.end.astype(np.int64)
     for visits in traverse(leaf, len(rays.t_min), touches):
-        ray, face = _spread(visits.ray, begin[visits.leaf], end[visits.leaf])
-        face = tree.order[face].astype(np.int64)
-        for start in range(0, ray.size, CHUNK):
-            yield ray[start : start + CHUNK], face[start : start + CHUNK]
+        first, last = begin[visits.leaf], end[visits.leaf]
+        chunk = np.cumsum(last - first) // CHUNK
+        for part in np.split(np.arange(chunk.size), np.flatnonzero(np.diff(chunk)) + 1):
+            ray, place = _spread(visits.ray[part], first[part], last[part])
+            yield ray, tree.order[place].astype(np.int64)
 
 
 def _spread(ray: Integers, begin: Integers, end: Integers) -> Pairs:
