@@ -68,6 +68,16 @@ class Candidates(FrozenArrays):
     """(C,) float64, where the ray enters the padded box; no hit on this face comes earlier."""
 
 
+NOTHING = Candidates(
+    ray=np.zeros(0, dtype=np.int64),
+    face=np.zeros(0, dtype=np.int64),
+    t=np.zeros(0),
+    tolerance=np.zeros(0),
+    kind=np.zeros(0, dtype=np.uint8),
+    entry=np.zeros(0),
+)
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Beams(FrozenArrays):
     """Rays of pairs, as the formulas want them."""
@@ -124,7 +134,9 @@ def nearest(found: Candidates, rays: int) -> Answers:
     """Keep what may be reported at or before the closest sure hit of each ray."""
     limit = _limits(found, rays)
     bound = limit[found.ray]
-    earliest = np.where(found.kind == WILD, -np.inf, found.t - found.tolerance)
+    decided = found.kind != WILD
+    earliest = np.full(found.t.size, -np.inf)
+    earliest[decided] = found.t[decided] - found.tolerance[decided]
     kept = np.flatnonzero((earliest <= bound) & (found.entry <= bound))
     first = np.zeros(rays + 1, dtype=np.int64)
     np.cumsum(np.bincount(found.ray[kept], minlength=rays), out=first[1:])
@@ -145,9 +157,7 @@ def chosen(rays: Rays, which: Integers | Mask) -> Rays:
 
 def classified(mesh: Mesh, rays: Rays, pairs: Iterable[Pairs]) -> Candidates:
     """Apply the rule to pairs, chunk by chunk."""
-    nothing, none = np.zeros(0), np.zeros(0, dtype=np.int64)
-    empty = Candidates(none, none, nothing, nothing, np.zeros(0, np.uint8), nothing)
-    return _joined([empty, *_classified(mesh, rays, pairs)])
+    return _joined([NOTHING, *_classified(mesh, rays, pairs)])
 
 
 def _taken(found: Candidates, which: Integers | Mask) -> Candidates:
@@ -170,7 +180,7 @@ def _limits(found: Candidates, rays: int) -> Doubles:
     """Return (R,) float64, each ray's smallest t + tolerance of a SOLID triangle."""
     limit = np.full(rays, np.inf)
     solid = found.kind == SOLID
-    np.minimum.at(limit, found.ray[solid], (found.t + found.tolerance)[solid])
+    np.minimum.at(limit, found.ray[solid], found.t[solid] + found.tolerance[solid])
     return limit
 
 

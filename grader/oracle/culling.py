@@ -17,7 +17,7 @@ from grader.oracle.hierarchy import Touches, leaves_of, traverse
 from grader.oracle.padding import columns, corners_of, edge_padding, norm
 from grader.tolerances import EDGE_PADDING, NEEDLE, UNIT_ROUNDOFF
 
-ALL_PAIRS = 64
+ALL_PAIRS = 16
 """Meshes of at most so many faces are tested face by face."""
 
 CHUNK = 1 << 17

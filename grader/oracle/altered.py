@@ -1,0 +1,171 @@
+"""Which trees show whether hits are found through the tree?
+
+Theory of operation. A tree is spoiled on purpose, in one of two ways that every right traversal
+must notice, and rays are kept whose true hit can then not be found, and others, as a control,
+whose hit can.
+
+- Some leaves are emptied: range [k, k) with k > 0, since an end of 0 would make their parents
+  leaves.
+- Some inner boxes are shrunk to almost nothing, together with those of their inner children:
+  a traversal may skip the test of the root's box, of a leaf's own box, and of every other
+  level if it looks two levels ahead. Rays that come near a shrunk box are left out.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from grader.model.mesh import (
+    SOLID,
+    Bvh,
+    Doubles,
+    FrozenArrays,
+    Integers,
+    Mask,
+    Mesh,
+    Rays,
+)
+from grader.model.trials import AlteredTrial
+from grader.oracle.brute import Candidates, candidates, chosen, nearest
+from grader.oracle.bundle import Stage, around, beams, on_surface, stage_for, unit
+from grader.oracle.hierarchy import leaves_of
+from grader.oracle.meshes import generator
+
+SHARE = 0.25
+"""Of the leaves are emptied."""
+
+SHRUNK = 4
+"""Inner nodes whose boxes are shrunk."""
+
+ABOVE_LEAVES = 3
+"""Levels between a shrunk node and the highest leaf, at least."""
+
+APART = 1e-2
+"""How far, relative to t, another surface must be for a hit to be clearly gone."""
+
+AIMED = 400
+"""Rays that aim at what is gone; as many aim anywhere."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Alteration(FrozenArrays):
+    """A spoiled tree."""
+
+    tree: Bvh
+    gone: Mask
+    """(F,) bool, True for faces that cannot be reached any more."""
+
+    near: Doubles
+    """(B, 2, 3) float64, low and high corners of boxes that rays must keep clear of."""
+
+    change: str
+    """What was altered, in a half sentence: `9 of 64 leaves are empty`."""
+
+
+def altered_trials(seed: int, name: str, mesh: Mesh, tree: Bvh) -> list[AlteredTrial]:
+    """Spoil a tree in both ways.
+
+    Args:
+        seed: Of the run.
+        name: The mesh's.
+        mesh: The triangles, some hundreds at least.
+        tree: A right tree over them.
+    """
+    made = []
+    for how, alter in (("emptied leaves", _emptied), ("shrunk boxes", _shrunk)):
+        rng = generator(seed, name, how)
+        alteration = alter(tree, len(mesh.faces), rng)
+        stage = stage_for(mesh, rng, lambda rays: candidates(mesh, rays, tree))
+        made.append(_trial(f"{name} with {how}", stage, alteration))
+    return made
+
+
+def _emptied(tree: Bvh, faces: int, rng: np.random.Generator) -> Alteration:
+    """Empty some leaves."""
+    leaves = np.flatnonzero(leaves_of(tree) & (tree.end > tree.begin))
+    chosen_leaves = rng.choice(leaves, max(1, round(SHARE * leaves.size)), replace=False)
+    gone = _faces_below(tree, chosen_leaves, faces)
+    begin = tree.begin.copy()
+    begin[chosen_leaves] = tree.end[chosen_leaves]
+    spoiled = Bvh(tree.low, tree.high, begin, tree.end, tree.order, tree.node_count)
+    change = f"{chosen_leaves.size} of {leaves.size} leaves are empty"
+    return Alteration(spoiled, gone, np.zeros((0, 2, 3)), change)
+
+
+def _shrunk(tree: Bvh, faces: int, rng: np.random.Generator) -> Alteration:
+    """Shrink the boxes of some inner nodes and of their children."""
+    highest = int(np.flatnonzero(leaves_of(tree) & (tree.end > tree.begin))[0])
+    level = (highest + 1).bit_length() - 1 - ABOVE_LEAVES
+    first = (1 << level) - 1
+    nodes = first + rng.choice(first + 1, SHRUNK, replace=False)
+    low, high = tree.low.copy(), tree.high.copy()
+    near = np.stack([low[nodes], low[nodes] + (high[nodes] - low[nodes]) * 0.1], axis=1)
+    tiny = low[nodes] + (high[nodes] - low[nodes]) * np.float32(1e-3)
+    for node in (nodes, 2 * nodes + 1, 2 * nodes + 2):
+        low[node], high[node] = low[nodes], tiny
+    spoiled = Bvh(low, high, tree.begin, tree.end, tree.order, tree.node_count)
+    change = f"the boxes of {3 * nodes.size} inner nodes are shrunk"
+    near = near.astype(np.float64)
+    reach = 0.1 * (near[:, 1] - near[:, 0]).max(axis=1)
+    near[:, 0] -= reach[:, None]
+    near[:, 1] += reach[:, None]
+    return Alteration(spoiled, _faces_below(tree, nodes, faces), near, change)
+
+
+def _faces_below(tree: Bvh, nodes: Integers, faces: int) -> Mask:
+    """Return (F,) bool, True for the faces in the ranges of nodes."""
+    gone = np.zeros(faces, dtype=np.bool_)
+    for begin, end in zip(tree.begin[nodes], tree.end[nodes], strict=True):
+        gone[tree.order[begin:end]] = True
+    return gone
+
+
+def _trial(name: str, stage: Stage, alteration: Alteration) -> AlteredTrial:
+    """Find rays that tell the spoiled tree from the right one."""
+    anywhere = stage.rng.integers(alteration.gone.size, size=AIMED)
+    aimed = stage.rng.choice(np.flatnonzero(alteration.gone), AIMED)
+    origin = around(stage, 2 * AIMED)
+    target = on_surface(stage, np.concatenate([aimed, anywhere]))
+    rays = beams(origin, unit(target - origin))
+    found = stage.look(rays)
+    clear, first_gone = _told_apart(found, alteration.gone, len(rays.t_min))
+    for low, high in alteration.near:
+        clear &= ~_passes(rays, low, high)
+    kept = np.flatnonzero(clear)
+    rays = chosen(rays, kept)
+    return AlteredTrial(
+        name=name,
+        mesh=stage.mesh,
+        tree=alteration.tree,
+        rays=rays,
+        answers=nearest(stage.look(rays), kept.size),
+        lost=first_gone[kept],
+        change=alteration.change,
+    )
+
+
+def _told_apart(found: Candidates, gone: Mask, rays: int) -> tuple[Mask, Mask]:
+    """Return (R,) which rays are clear, and (R,) which of them hit first what is gone.
+
+    Clear is a ray with a sure hit and without any doubtful one whose nearest other surface,
+    among what is left if the hit is gone, is far from the hit.
+    """
+    limit = nearest(found, rays).limit
+    clear = np.isfinite(limit)
+    clear[found.ray[found.kind != SOLID]] = False
+    close = np.abs(found.t - limit[found.ray]) <= APART * np.abs(limit[found.ray])
+    hit_gone = np.zeros(rays, dtype=np.bool_)
+    hit_left = np.zeros(rays, dtype=np.bool_)
+    hit_gone[found.ray[close & gone[found.face]]] = True
+    hit_left[found.ray[close & ~gone[found.face]]] = True
+    return clear & ~(hit_gone & hit_left), hit_gone
+
+
+def _passes(rays: Rays, low: Doubles, high: Doubles) -> Mask:
+    """Return (R,) bool, True where a ray's line meets a box."""
+    o, d = rays.origin.astype(np.float64), rays.direction.astype(np.float64)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        one, two = (low - o) / d, (high - o) / d
+    near, far = np.fmin(one, two).max(axis=1), np.fmax(one, two).min(axis=1)
+    meets: Mask = ~(near > far)
+    return meets

@@ -1,0 +1,207 @@
+"""What is a submission asked to do, and what is right? All trials of one seed."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from grader.model.mesh import Bvh, Mesh, Rays
+from grader.model.trials import (
+    AlteredTrial,
+    ConstructTrial,
+    RebuildTrial,
+    RepeatTrial,
+    TraceTrial,
+    Trial,
+    WorkTrial,
+)
+from grader.oracle.altered import altered_trials
+from grader.oracle.brute import NOTHING
+from grader.oracle.bundle import around, beams, stage_for, within
+from grader.oracle.costs import plain_costs
+from grader.oracle.meshes import TRACED, construct_meshes, depth_mesh, generator
+from grader.oracle.rays import Request
+from grader.oracle.remember import digest_of, remember
+from grader.oracle.scenes import image_trials, load_mesh
+from grader.oracle.tracing import sample, traced
+
+Trees = Callable[[Sequence[Mesh]], list[Bvh]]
+
+SANITIZED = (
+    *(f"cloud-{faces}" for faces in (0, 1, 4, 5, 9, 17)),
+    "identical-64",
+    "zero-area",
+    "strip-y",
+    "soup-degenerate",
+    "identical-1000",
+    "terrain-600",
+    "terrain-1200",
+    "ball-1280",
+)
+"""Meshes of the sanitized build; those of more than 256 faces reach its depth limit."""
+
+REBUILT = (("terrain-600", "cloud-37"), ("cloud-9", "ball-1280"), ("cloud-18", "cloud-0"))
+"""Meshes A and B: B smaller, B larger, B empty."""
+
+ALTERED = ("terrain-1200", "dragon-res4")
+REPEATED = (("terrain-1200", "grid-10x10"), ("dragon-res4", "nested-spheres"))
+SAMPLED = (("cloud-1", 40), ("cloud-4", 40), ("terrain-1200", 60), ("dragon-res4", 60))
+"""Meshes of the sanitized build in part b, and of how many rays one is taken: a single leaf,
+a tree with gaps, a deep tree."""
+
+WORK = (("dragon-res4", 4_000), ("dragon-res2", 6_000))
+TRIMMED = ("terrain-600", "cloud-5", "soup-degenerate")
+PADDED = ("cloud-37", "parallel-quads")
+"""Meshes whose trees come in the other form that the sheet allows for empty slots."""
+
+
+@dataclass(frozen=True, slots=True)
+class Plan:
+    """What is run for one seed."""
+
+    trials: tuple[Trial, ...]
+    faults: tuple[tuple[str, str], ...]
+    """Name of a trial whose answers cannot be trusted, and why: our own fault."""
+
+
+def make_plan(seed: int, trees: Trees) -> Plan:
+    """Draw all trials of a seed, but for `depth_trial`.
+
+    Args:
+        seed: Two plans of one seed are equal, bit by bit.
+        trees: Builds the reference's tree of each mesh.
+
+    Raises:
+        OracleFault: A stored mesh or picture is missing, damaged or stale.
+        MissingTool: embreex is not installed.
+    """
+    meshes = dict(construct_meshes(seed))
+    built = dict(zip(TRACED, trees([meshes[name] for name in TRACED]), strict=True))
+    made = [
+        traced(
+            Request(seed, name, special, count=200),
+            meshes[name],
+            _other_form(name, built[name]),
+        )
+        for name in TRACED
+        for special in (False, True)
+    ]
+    tracing = [each.trial for each in made]
+    trials: tuple[Trial, ...] = (
+        *_construct_trials(meshes),
+        *_altered(seed, meshes, built),
+        *_work_trials(seed, trees),
+        *tracing,
+        *_sampled(tracing),
+        *_repeats(tracing, meshes, built),
+        *image_trials(trees),
+    )
+    return Plan(trials, tuple((each.trial.name, each.fault) for each in made if each.fault))
+
+
+def depth_trial(seed: int) -> ConstructTrial:
+    """Draw the trial whose tree would go deeper than 20 levels."""
+    return ConstructTrial("tree over 4,194,312 faces", depth_mesh(seed))
+
+
+def _construct_trials(meshes: dict[str, Mesh]) -> list[Trial]:
+    """Lay out part a."""
+    return [
+        *(ConstructTrial(f"tree over {name}", mesh) for name, mesh in meshes.items()),
+        *(
+            ConstructTrial(f"tree over {name}, sanitized", meshes[name], sanitized=True)
+            for name in SANITIZED
+        ),
+        *(RebuildTrial(f"tree over {a}, {b}, {a}", meshes[a], meshes[b]) for a, b in REBUILT),
+    ]
+
+
+def _altered(seed: int, meshes: dict[str, Mesh], built: dict[str, Bvh]) -> list[AlteredTrial]:
+    """Lay out the altered trees."""
+    return [
+        trial
+        for name in ALTERED
+        for trial in altered_trials(seed, name, meshes[name], built[name])
+    ]
+
+
+def _work_trials(seed: int, trees: Trees) -> list[WorkTrial]:
+    """Lay out the trials that count tests, on stored meshes of 11,102 and 202,520 faces."""
+    meshes = [load_mesh(name) for name, _ in WORK]
+    trials = []
+    for (name, count), mesh, tree in zip(WORK, meshes, trees(meshes), strict=True):
+        rays = _incoherent(seed, name, mesh, count)
+        boxes, triangles = _remembered_costs(tree, rays)
+        trials.append(WorkTrial(f"work on {name}", mesh, tree, rays, boxes, triangles))
+    return trials
+
+
+def _incoherent(seed: int, name: str, mesh: Mesh, count: int) -> Rays:
+    """Draw rays from all around to anywhere in the box."""
+    stage = stage_for(mesh, generator(seed, name, "work"), lambda _: NOTHING)
+    origin = around(stage, count, 1.0)
+    return beams(origin, within(stage, count) - origin)
+
+
+def _remembered_costs(tree: Bvh, rays: Rays) -> tuple[float, float]:
+    """Return `plain_costs`, from the cache if it is there."""
+    parts = (tree.low, tree.high, tree.begin, tree.end, rays.origin, rays.direction)
+    key = digest_of("plain", *parts)
+    (boxes, triangles) = remember(key, lambda: {"mean": np.array(plain_costs(tree, rays))})[
+        "mean"
+    ].tolist()
+    return boxes, triangles
+
+
+def _sampled(tracing: Sequence[TraceTrial]) -> list[TraceTrial]:
+    """Lay out the trials of the sanitized build: few rays of both kinds."""
+    steps = dict(SAMPLED)
+    return [
+        sample(trial, steps[name], f"{trial.name}, sanitized")
+        for trial in tracing
+        if (name := trial.name.partition(",")[0]) in steps
+    ]
+
+
+def _repeats(
+    tracing: Sequence[TraceTrial], meshes: dict[str, Mesh], built: dict[str, Bvh]
+) -> list[RepeatTrial]:
+    """Lay out the trials that ask the same again."""
+    given = {trial.name: trial.rays for trial in tracing}
+    return [
+        RepeatTrial(
+            f"{name}, again and again",
+            meshes[name],
+            built[name],
+            meshes[other],
+            built[other],
+            given[f"{name}, ordinary rays"],
+        )
+        for name, other in REPEATED
+    ]
+
+
+def _other_form(name: str, tree: Bvh) -> Bvh:
+    """Return a tree with empty slots at the end left out, or with more of them."""
+    used = int(np.flatnonzero(tree.end)[-1]) + 1
+    if name in TRIMMED:
+        return _resized(tree, used)
+    if name in PADDED:
+        return _resized(tree, (2 << used.bit_length()) - 1)
+    return tree
+
+
+def _resized(tree: Bvh, count: int) -> Bvh:
+    """Return a tree of `count` nodes; new ones are `Node{}`."""
+    kept = min(count, tree.end.size)
+    more = count - kept
+    corner = np.full((more, 3), np.inf, dtype=np.float32)
+    none = np.zeros(more, dtype=np.uint32)
+    return replace(
+        tree,
+        low=np.concatenate([tree.low[:kept], corner]),
+        high=np.concatenate([tree.high[:kept], -corner]),
+        begin=np.concatenate([tree.begin[:kept], none]),
+        end=np.concatenate([tree.end[:kept], none]),
+        node_count=count,
+    )

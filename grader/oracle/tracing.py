@@ -1,0 +1,97 @@
+"""What are the rays and answers of one mesh? Drawn, answered, witnessed, and remembered."""
+
+from dataclasses import dataclass, fields
+
+import numpy as np
+
+from grader.model.mesh import Answers, Bvh, Integers, Mesh, Rays
+from grader.model.trials import TraceTrial
+from grader.oracle.brute import answers, chosen
+from grader.oracle.embree import contradicted, embree_t
+from grader.oracle.rays import Request, families_of, rays_on
+from grader.oracle.remember import Arrays, digest_of, remember
+
+KIND = {False: "ordinary rays", True: "special rays"}
+
+
+@dataclass(frozen=True, slots=True)
+class Traced:
+    """A trial, and what is wrong with its answers."""
+
+    trial: TraceTrial
+    fault: str
+    """Empty if Embree agrees; otherwise what it contradicts."""
+
+
+def traced(request: Request, mesh: Mesh, tree: Bvh) -> Traced:
+    """Make the trial of one mesh and one kind of rays."""
+    key = digest_of(
+        "trace", request, mesh.vertices, mesh.faces, tree.begin, tree.end, tree.order
+    )
+    arrays = remember(key, lambda: _arrays(request, mesh, tree))
+    trial = TraceTrial(
+        name=f"{request.mesh}, {KIND[request.special]}",
+        mesh=mesh,
+        tree=tree,
+        rays=Rays(**{field.name: arrays[field.name] for field in fields(Rays)}),
+        answers=Answers(**{field.name: arrays[f"a_{field.name}"] for field in fields(Answers)}),
+        families=families_of(request, mesh),
+        family=arrays["family"],
+        special=request.special,
+    )
+    return Traced(trial, _fault(trial, arrays["wrong"], arrays["embree"]))
+
+
+def _arrays(request: Request, mesh: Mesh, tree: Bvh) -> Arrays:
+    """Draw, answer and witness."""
+    family = rays_on(request, mesh, tree)
+    found = answers(mesh, family.rays, tree)
+    theirs = embree_t(mesh, family.rays)
+    wrong = np.flatnonzero(contradicted(family.rays, found, theirs))
+    return {
+        **{field.name: getattr(family.rays, field.name) for field in fields(Rays)},
+        **{f"a_{field.name}": getattr(found, field.name) for field in fields(Answers)},
+        "family": family.index,
+        "wrong": wrong,
+        "embree": theirs[wrong],
+    }
+
+
+def _fault(trial: TraceTrial, wrong: Integers, embree: Integers) -> str:
+    """Word a contradiction between the rule and Embree."""
+    if wrong.size == 0:
+        return ""
+    ray = int(wrong[0])
+    family = trial.families[trial.family[ray]]
+    return (
+        f"{trial.name}: the rule of closest hits and Embree contradict each other on "
+        f"{wrong.size} clear rays; the first is ray {ray} ({family}), where the rule says at most "
+        f"t = {trial.answers.limit[ray]:.9g} and Embree {embree[0]:.9g}"
+    )
+
+
+def sample(trial: TraceTrial, step: int, name: str) -> TraceTrial:
+    """Return every `step`-th ray as a trial of the sanitized build."""
+    kept = np.arange(0, trial.family.size, step)
+    given = trial.answers
+    counts = np.diff(given.first)[kept]
+    place = np.repeat(given.first[kept] - np.cumsum(counts) + counts, counts)
+    place = place + np.arange(place.size)
+    return TraceTrial(
+        name=name,
+        mesh=trial.mesh,
+        tree=trial.tree,
+        rays=chosen(trial.rays, kept),
+        answers=Answers(
+            limit=given.limit[kept],
+            first=np.concatenate([[0], np.cumsum(counts)]),
+            face=given.face[place],
+            t=given.t[place],
+            tolerance=given.tolerance[place],
+            kind=given.kind[place],
+        ),
+        families=trial.families,
+        family=trial.family[kept],
+        special=trial.special,
+        sanitized=True,
+    )
