@@ -1,0 +1,49 @@
+"""What the submissions in `right/` and `wrong/` say of themselves in their first lines."""
+
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+HERE = Path(__file__).parent
+EXPECT = re.compile(r"^// expect: (?P<checks>[a-z0-9.-]+(?:, [a-z0-9.-]+)*)$")
+UNTOUCHED = re.compile(r"^// untouched: (?P<part>[ab-])$")
+MISTAKE = re.compile(r"^// mistake: (?P<sentence>\S.*)$")
+RIGHT = re.compile(r"^// right: (?P<sentence>\S.*)$")
+
+
+@dataclass(frozen=True, slots=True)
+class Wrong:
+    """A submission with one mistake."""
+
+    path: Path
+    checks: tuple[str, ...]
+    """Checks that must fail; the first one owns the mistake."""
+
+    untouched: str
+    """The part that must keep all its points; `-` if the mistake is in both."""
+
+
+def right_submissions() -> list[Path]:
+    """Files that must earn everything."""
+    return sorted((HERE / "right").glob("*.cpp"))
+
+
+def wrong_submissions() -> list[Wrong]:
+    """Files with one mistake each, and what they expect of the grader."""
+    return [read_wrong(path) for path in sorted((HERE / "wrong").glob("*.cpp"))]
+
+
+def read_wrong(path: Path) -> Wrong:
+    """Read the three header lines of a wrong submission.
+
+    Raises:
+        ValueError: One of them is missing or malformed.
+    """
+    head = path.read_text(encoding="utf-8-sig").splitlines()[:3]
+    patterns = (EXPECT, UNTOUCHED, MISTAKE)
+    matches = [pattern.match(line) for pattern, line in zip(patterns, head, strict=True)]
+    expect, untouched, mistake = matches
+    if not (expect and untouched and mistake):
+        message = f"{path.name}: the first three lines must be expect, untouched and mistake"
+        raise ValueError(message)
+    return Wrong(path, tuple(expect["checks"].split(", ")), untouched["part"])
