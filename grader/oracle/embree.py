@@ -44,7 +44,8 @@ def witnessed(rays: Rays, answers: Answers, t: Floats) -> Mask:
     clear = np.ones(t.size, dtype=np.bool_)
     owner = np.repeat(np.arange(t.size), np.diff(answers.first))
     clear[owner[answers.kind != SOLID]] = False
-    return clear & (rays.t_min == np.float32(EPSILON)) & (t > 2 * EPSILON)
+    fit: Mask = clear & (rays.t_min == np.float32(EPSILON)) & (t > 2 * EPSILON)
+    return fit
 
 
 def contradicted(rays: Rays, answers: Answers, t: Floats) -> Mask:
@@ -52,9 +53,13 @@ def contradicted(rays: Rays, answers: Answers, t: Floats) -> Mask:
     owner = np.repeat(np.arange(t.size), np.diff(answers.first))
     theirs: Doubles = t.astype(np.float64)
     agrees = ~np.isfinite(answers.limit) & (theirs == np.inf)
-    agrees[owner[np.abs(theirs[owner] - answers.t) <= answers.tolerance]] = True
+    solid = answers.kind == SOLID
+    owner = owner[solid]
+    near = np.abs(theirs[owner] - answers.t[solid]) <= answers.tolerance[solid]
+    agrees[owner[near]] = True
     agrees &= ~(theirs > answers.limit)
-    return witnessed(rays, answers, t) & ~agrees
+    wrong: Mask = witnessed(rays, answers, t) & ~agrees
+    return wrong
 
 
 def _embree() -> tuple[Any, Any]:

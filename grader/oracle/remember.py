@@ -14,13 +14,14 @@ import tempfile
 from collections.abc import Callable, Mapping
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from grader.resources import cache_folder
 
-Arrays = Mapping[str, npt.NDArray[np.generic]]
+Arrays = Mapping[str, npt.NDArray[Any]]
 LARGEST = 2 << 30
 """Bytes of all entries together."""
 
@@ -77,7 +78,7 @@ def _read(path: Path) -> Arrays | None:
     if hashlib.sha256(body).digest() != content[:DIGEST]:
         return None
     os.utime(path)
-    arrays: dict[str, npt.NDArray[np.generic]] = {}
+    arrays: dict[str, npt.NDArray[Any]] = {}
     with np.load(io.BytesIO(body), allow_pickle=False) as stored:
         for name in stored.files:
             arrays[name] = stored[name]

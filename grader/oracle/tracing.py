@@ -4,7 +4,7 @@ from dataclasses import dataclass, fields
 
 import numpy as np
 
-from grader.model.mesh import Answers, Bvh, Integers, Mesh, Rays
+from grader.model.mesh import Answers, Bvh, Floats, Integers, Mesh, Rays
 from grader.model.trials import TraceTrial
 from grader.oracle.brute import answers, chosen
 from grader.oracle.embree import contradicted, embree_t
@@ -57,7 +57,7 @@ def _arrays(request: Request, mesh: Mesh, tree: Bvh) -> Arrays:
     }
 
 
-def _fault(trial: TraceTrial, wrong: Integers, embree: Integers) -> str:
+def _fault(trial: TraceTrial, wrong: Integers, embree: Floats) -> str:
     """Word a contradiction between the rule and Embree."""
     if wrong.size == 0:
         return ""
@@ -65,8 +65,8 @@ def _fault(trial: TraceTrial, wrong: Integers, embree: Integers) -> str:
     family = trial.families[trial.family[ray]]
     return (
         f"{trial.name}: the rule of closest hits and Embree contradict each other on "
-        f"{wrong.size} clear rays; the first is ray {ray} ({family}), where the rule says at most "
-        f"t = {trial.answers.limit[ray]:.9g} and Embree {embree[0]:.9g}"
+        f"{wrong.size} clear rays; the first is ray {ray} ({family}), where the rule says at "
+        f"most t = {trial.answers.limit[ray]:.9g} and Embree {embree[0]:.9g}"
     )
 
 
