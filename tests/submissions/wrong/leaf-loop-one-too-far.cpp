@@ -1,6 +1,6 @@
 // expect: hits.memory-is-safe
 // untouched: a
-// mistake: The loop over a leaf includes facesEnd and reads past the end of the face indices.
+// mistake: The loop over a leaf includes the index facesEnd and reads past the end of the face indices.
 #include "bvh.h"
 #include "intersection.h"
 #include "mesh.h"
@@ -8,6 +8,7 @@
 #include "triangle.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -63,30 +64,27 @@ void BVH::construct(const Mesh& mesh)
 
 Intersection intersect(const Mesh& mesh, const IntersectionRay& ray)
 {
-    Intersection result;
     const BVH& bvh = mesh.getBVH();
     const auto& nodes = bvh.getNodes();
-    if (nodes.empty())
-        return result;
-    IntersectionRay shrinking = ray;
-    std::vector<size_t> stack;
-    stack.reserve(64);
-    stack.push_back(0);
-    while (!stack.empty()) {
-        const size_t i = stack.back();
-        stack.pop_back();
-        if (!intersect(nodes[i].bounds, shrinking))
-            continue;
-        if (2 * i + 2 < nodes.size() && nodes[2 * i + 1].facesEnd != 0) {
-            stack.push_back(2 * i + 2);
-            stack.push_back(2 * i + 1);
-        } else {
-            for (uint32_t k = nodes[i].facesBegin; k <= nodes[i].facesEnd; ++k)
-                if (const Intersection hit = intersect(mesh.getTriangleFromFaceIndex(bvh.getFaceIndices(nodes[0]).data()[k] % mesh.getFaces().size()), shrinking)) {
-                    result = hit;
-                    shrinking.t_max = hit.t;
-                }
+    Intersection best;
+    std::vector<uint32_t> todo;
+    if (!nodes.empty())
+        todo.push_back(0);
+    while (!todo.empty()) {
+        const uint32_t i = todo.back();
+        todo.pop_back();
+        const bool leaf = 2 * i + 1 >= nodes.size() || nodes[2 * i + 1].facesEnd == 0;
+        if (leaf) {  // the triangles are tested at once, the leaf's own box is not worth it
+            const auto faces = bvh.getFaceIndices(nodes[i]);
+            for (size_t k = 0; k <= faces.size(); ++k) {
+                const Intersection hit = intersect(mesh.getTriangleFromFaceIndex(faces[k]), ray);
+                if (hit.t < best.t)
+                    best = hit;
+            }
+        } else if (intersect(nodes[i].bounds, ray)) {
+            todo.push_back(2 * i + 1);
+            todo.push_back(2 * i + 2);
         }
     }
-    return result;
+    return best;
 }

@@ -59,7 +59,7 @@ Intersection intersect(const Mesh& mesh, const IntersectionRay& ray)
     thread_local uint32_t lastFace = 0;
     const Vector3D step = ray.direction - lastDirection;
     const bool neighbour = lastMesh == &mesh && lastOrigin == ray.origin && !(step == Vector3D{}) &&
-                           step.norm() < 0.02f * ray.direction.norm();
+                           step.norm() < 0.05f * ray.direction.norm();
     lastOrigin = ray.origin;
     lastDirection = ray.direction;
     lastMesh = &mesh;
