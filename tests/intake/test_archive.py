@@ -131,6 +131,18 @@ def test_too_many_entries_are_not_listed(tmp_path: Path) -> None:
     assert "more than 20,000 files" in reason(located(tmp_path, tarred(many)))
 
 
+@pytest.mark.parametrize("claim", ["zip64", "long"])
+def test_a_claim_of_a_huge_list_is_refused(tmp_path: Path, claim: str) -> None:
+    """The end record says how much would be read, and that is looked at first."""
+    content = bytearray(zipped([(NAME, CODE)]))
+    end = content.index(b"PK\x05\x06")
+    if claim == "zip64":
+        content[end:end] = b"PK\x06\x07" + bytes(16)
+    else:
+        struct.pack_into("<I", content, end + 12, 2**30)
+    assert "more than 20,000 files" in reason(located(tmp_path, bytes(content)))
+
+
 def test_a_rare_packing_method_is_refused(tmp_path: Path) -> None:
     """LZMA may ask for gigabytes of memory before the first byte."""
     packed = io.BytesIO()

@@ -121,6 +121,37 @@ def test_a_gate_that_passes_once_is_open(gate: str) -> None:
     assert scored([*found(READABLE, gate), *found(BOXES, "PP")], 2).score == 4
 
 
+def test_a_gate_that_nobody_lived_to_see_is_closed() -> None:
+    """Every worker died: the gate is blocked by that, and everything else by the gate."""
+    ends = found(SURVIVES, "FF")
+    gate, boxes = scored(ends, 2, READABLE), scored(ends, 2)
+    assert (gate.verdict, gate.blocked_by) == (Verdict.BLOCKED, SURVIVES)
+    assert (boxes.verdict, boxes.blocked_by) == (Verdict.BLOCKED, READABLE)
+
+
+@pytest.mark.parametrize(("gate", "earned"), [("", 4), ("F", 0), ("B", 0)])
+def test_a_gate_without_a_plan_closes_by_a_failure_only(gate: str, earned: float) -> None:
+    """That nobody asked is no reason to take a part's points."""
+    checks = [(READABLE, "readable"), (BOXES, "boxes"), (SURVIVES, "survives")]
+    findings = [
+        *found(SURVIVES, "F" * len(gate)),
+        *found(READABLE, gate, reason=SURVIVES),
+        *found(BOXES, "P"),
+    ]
+    scores = score_checks(rubric(), checks, findings, {BOXES: 1}, STARTED)
+    assert scores[1].score == earned
+
+
+def test_odd_points_are_earned_in_full() -> None:
+    """A weight that is no multiple of a quarter is not rounded if every case passes."""
+    tenth = replace(next(one for one in rubric().criteria if one.check == BOXES), points=0.1)
+    weighed = replace(rubric(), criteria=(tenth,))
+    checks = [(BOXES, "boxes")]
+    for verdicts, earned in (("PP", 0.1), ("PF", 0.0)):
+        (score,) = score_checks(weighed, checks, found(BOXES, verdicts), {BOXES: 2}, STARTED)
+        assert score.score == earned
+
+
 def test_what_does_not_compile_earns_nothing_in_both_parts() -> None:
     """Every other check is BLOCKED by the build, though nothing else was planned."""
     full = load_rubric()
