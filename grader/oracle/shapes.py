@@ -20,7 +20,8 @@ def confetti(rng: np.random.Generator, faces: int) -> Soup:
     size = 0.8 / max(1, faces) ** (1 / 3)
     corners = rng.uniform(-1, 1, (faces, 3, 3))
     corners[flatness(corners) > SLIVER] = np.eye(3) - 0.5
-    return centre + size * corners
+    soup: Soup = centre + size * corners
+    return soup
 
 
 def flatness(soup: Soup) -> Doubles:
@@ -97,18 +98,20 @@ def boxes(count: int) -> Soup:
 
 
 def ell() -> Soup:
-    """Make a flat L of 192 triangles: the box's middle is not the faces' middle."""
+    """Make a flat L of 160 triangles: the box's middle is not the faces' middle."""
     points = np.stack(np.meshgrid(np.linspace(0, 1, 13), np.linspace(0, 1, 13)), axis=-1)
     cells = sheet(np.concatenate([points, 0.02 * points[..., :1] ** 2], axis=-1))
     centre = cells.mean(axis=1)
-    return cells[(centre[:, 0] < 1 / 3) | (centre[:, 1] < 1 / 3)]
+    kept: Soup = cells[(centre[:, 0] < 1 / 3) | (centre[:, 1] < 1 / 3)]
+    return kept
 
 
 def exponential(faces: int) -> Soup:
     """Make triangles at x = 2^k, each half as big as its distance: means are not medians."""
     size = 2.0 ** (np.arange(faces) - faces / 2)
     corners = np.array([[1.0, -0.2, 0.0], [1.3, 0.2, 0.1], [1.1, 0.1, 0.3]])
-    return size[:, None, None] * corners
+    soup: Soup = size[:, None, None] * corners
+    return soup
 
 
 def outlier(rng: np.random.Generator) -> Soup:
@@ -127,7 +130,8 @@ def two_clusters(rng: np.random.Generator) -> Soup:
 def concentric(faces: int) -> Soup:
     """Make triangles of growing size around one centre: every centre ties."""
     corners = np.array([[2.0, 0.0, 0.0], [-1.0, 2.0, 0.5], [-1.0, -2.0, -0.5]])
-    return np.arange(1, faces + 1)[:, None, None] * corners
+    soup: Soup = np.arange(1, faces + 1)[:, None, None] * corners
+    return soup
 
 
 def with_degenerate(rng: np.random.Generator, faces: int, share: float) -> Soup:

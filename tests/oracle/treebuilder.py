@@ -1,10 +1,12 @@
 """A median-split tree in plain numpy, so that oracle tests need no compiler."""
 
 from collections.abc import Sequence
+from functools import cache
 
 import numpy as np
 
 from grader.model.mesh import Bvh, Floats, Integers, Mesh
+from grader.oracle.meshes import mesh_named
 from grader.tolerances import FACES_PER_LEAF, MAX_DEPTH
 
 
@@ -50,3 +52,10 @@ def _record(
 def trees_of(meshes: Sequence[Mesh]) -> list[Bvh]:
     """Build trees over several meshes."""
     return [tree_of(mesh) for mesh in meshes]
+
+
+@cache
+def planted(name: str, seed: int = 7) -> tuple[Mesh, Bvh]:
+    """Return a mesh by its name, and a tree over it."""
+    mesh = mesh_named(seed, name)
+    return mesh, tree_of(mesh)
