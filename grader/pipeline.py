@@ -12,10 +12,10 @@ from grader.intake.locate import locate
 from grader.model.cases import BuildCase, Case, DepthCase, SourceCase, TreeCase, WorkCase
 from grader.model.grade import Grade, Rubric
 from grader.model.stages import Build, Rejected, Submission
-from grader.model.trials import Trial
+from grader.model.trials import AlteredTrial, ImageTrial, Trial, WorkTrial
 from grader.oracle.plan import Plan, depth_trial, make_plan
 from grader.run.session import Engine
-from grader.run.trials import Budget, Engines, run_trials
+from grader.run.trials import HUGE_MESH, LARGE_MESH, Budget, Engines, part_of, run_trials
 from grader.selection import select
 from grader.solution import Solution
 from grader.summary import Progress, Summary
@@ -57,7 +57,9 @@ def grade_one(path: Path, options: Options) -> Grade:
         summary.broken(plan.faults)
         with summary.stage("run and verify"):
             run = _Run(build, solution, selection.rubric, options)
-            summary.examine(run.cases(trials))
+            first, then = _waves(trials)
+            summary.examine(run.cases(first))
+            summary.examine(run.cases([trial for trial in then if _hopeful(trial, summary)]))
             further = run.further_trials()
             summary.examine(run.cases(further) if further else run.small_depths)
         return summary.grade(submission, build, (*trials, *further))
@@ -84,6 +86,31 @@ def _build_cases(build: Build) -> Iterator[Case]:
 
 def _worded(line: int, text: str) -> str:
     return f"line {line}: {text}" if line else text
+
+
+def _waves(trials: Sequence[Trial]) -> tuple[list[Trial], list[Trial]]:
+    """Part a and what shows quickly whether `intersect` uses the tree, then all the rest."""
+    first = [
+        trial
+        for trial in trials
+        if part_of(trial) == "a"
+        or isinstance(trial, AlteredTrial)
+        or (isinstance(trial, WorkTrial) and len(trial.mesh.faces) <= LARGE_MESH)
+    ]
+    chosen = {trial.name for trial in first}
+    return first, [trial for trial in trials if trial.name not in chosen]
+
+
+def _hopeful(trial: Trial, summary: Summary) -> bool:
+    """Tell whether a trial of part b can still earn something in bearable time.
+
+    Without the tree nothing in part b counts; and where most triangles are tested for every
+    ray, a picture of a large mesh takes hours.
+    """
+    if summary.closed("work.uses-the-tree"):
+        return False
+    large = isinstance(trial, ImageTrial) and len(trial.mesh.faces) > HUGE_MESH // 2
+    return not (large and summary.failed("work.excludes-most-triangles"))
 
 
 class _Run:

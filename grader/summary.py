@@ -62,6 +62,15 @@ class Summary:
                 if each.id.startswith(("hits.", "image."))
             ]
 
+    def closed(self, gate: str) -> bool:
+        """Tell whether a gate has been decided and has passed nowhere."""
+        verdicts = {one.verdict for one in self._findings if one.check == gate}
+        return bool(verdicts) and verdicts <= {Verdict.FAIL, Verdict.BLOCKED}
+
+    def failed(self, check: str) -> bool:
+        """Tell whether a check has failed anywhere so far."""
+        return any(one.check == check and one.verdict is Verdict.FAIL for one in self._findings)
+
     def grade(
         self, given: Submission | Rejected, build: Build | None, trials: Sequence[Trial]
     ) -> Grade:

@@ -11,6 +11,7 @@ from functools import lru_cache
 import numpy as np
 
 from grader.model.mesh import Bvh, Floats, FrozenArrays, Indices, Integers, Mask, Mesh
+from grader.tolerances import FACES_PER_LEAF
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -96,44 +97,67 @@ def spans(mesh: Mesh, bvh: Bvh) -> Spans:
     The tree must be readable: ranges and face indices within the mesh.
     """
     form = shape(bvh)
-    minima = np.full((12, len(bvh.end)), np.inf, dtype=np.float32)
-    faces = _face_minima(mesh)[bvh.order[: len(mesh.faces)]]
+    faces, order = _face_minima(mesh), bvh.order[: len(mesh.faces)]
+    minima = np.full((len(bvh.end), 12), np.inf, dtype=np.float32)
     direct = form.reached[~form.parted[form.reached]]
-    minima[:, direct] = _range_minima(faces, bvh.begin[direct], bvh.end[direct])
+    minima[direct] = _range_minima(faces, order, bvh.begin[direct], bvh.end[direct])
     parted = form.reached[form.parted[form.reached]]
     # Ascending indices are level by level, so going backwards meets children first.
     for level in range(form.depth - 1, -1, -1):
         first, past = np.searchsorted(parted, [2**level - 1, 2 ** (level + 1) - 1])
         nodes = parted[first:past]
-        minima[:, nodes] = np.minimum(minima[:, 2 * nodes + 1], minima[:, 2 * nodes + 2])
-    low, high, centre_low, centre_high = minima.reshape(4, 3, -1)
-    return Spans(low.T, -high.T, centre_low.T, -centre_high.T)
+        minima[nodes] = np.minimum(minima[2 * nodes + 1], minima[2 * nodes + 2])
+    low, high, centre_low, centre_high = np.hsplit(minima, 4)
+    return Spans(low, -high, centre_low, -centre_high)
 
 
 @lru_cache(maxsize=2)
 def _face_minima(mesh: Mesh) -> Floats:
     """(F, 12) float32: low, -high, centre, -centre of each triangle."""
-    a, b, c = (mesh.vertices[mesh.faces[:, corner]] for corner in range(3))
-    low, high = np.minimum(np.minimum(a, b), c), np.maximum(np.maximum(a, b), c)
-    centre = ((a.astype(np.float64) + b + c) / 3).astype(np.float32)
-    return np.concatenate([low, -high, centre, -centre], axis=1)
+    a, b, c = (np.take(mesh.vertices, mesh.faces[:, corner], axis=0) for corner in range(3))
+    minima = np.empty((len(mesh.faces), 12), dtype=np.float32)
+    np.minimum(np.minimum(a, b), c, out=minima[:, 0:3])
+    np.negative(np.maximum(np.maximum(a, b), c), out=minima[:, 3:6])
+    centre = a.astype(np.float64)
+    centre += b
+    centre += c
+    centre /= 3
+    minima[:, 6:9] = centre
+    np.negative(minima[:, 6:9], out=minima[:, 9:12])
+    return minima
 
 
-def _range_minima(faces: Floats, begin: Indices, end: Indices) -> Floats:
-    """(12, K) float32, minima over the rows `begin[k]:end[k]`; infinite for empty ranges.
+def _range_minima(faces: Floats, order: Indices, begin: Indices, end: Indices) -> Floats:
+    """(K, 12) float32, minima over `order[begin[k]:end[k]]`; infinite for empty ranges."""
+    result = np.full((len(begin), 12), np.inf, dtype=np.float32)
+    held = end.astype(np.int64) - begin
+    small = np.flatnonzero((held > 0) & (held <= FACES_PER_LEAF))
+    if small.size:
+        first, last = begin[small].astype(np.int64), end[small].astype(np.int64) - 1
+        # Taking the last face again where there are fewer changes no minimum.
+        takes = (np.minimum(first + k, last) for k in range(FACES_PER_LEAF))
+        one, two, three, four = (np.take(faces, order[place], axis=0) for place in takes)
+        result[small] = np.minimum(np.minimum(one, two), np.minimum(three, four))
+    large = np.flatnonzero(held > FACES_PER_LEAF)
+    if large.size:
+        rows = np.take(faces, order, axis=0)
+        result[large] = _windowed(rows, begin[large].astype(np.int64), held[large])
+    return result
+
+
+def _windowed(rows: Floats, begin: Integers, held: Integers) -> Floats:
+    """(K, 12) float32, minima over `rows[begin[k]:begin[k] + held[k]]`, none of them empty.
 
     Two overlapping windows of 2^p rows cover each range. Every width of a window is computed
     once, so a tree whose nodes all claim all faces takes no longer to read than a right one.
     """
-    result = np.full((12, len(begin)), np.inf, dtype=np.float32)
-    held = np.maximum(end.astype(np.int64) - begin, 0)
+    result = np.empty((len(begin), 12), dtype=np.float32)
     power = np.frexp(held.astype(np.float64))[1] - 1
-    windows = faces
-    for p in range(int(power.max(initial=-1)) + 1):
+    for p in range(int(power.max()) + 1):
         if p:
             half = 2 ** (p - 1)
-            windows = np.minimum(windows[:-half], windows[half:])
+            rows = np.minimum(rows[:-half], rows[half:])
         chosen = np.flatnonzero(power == p)
-        first, last = begin[chosen], end[chosen].astype(np.int64) - 2**p
-        result[:, chosen] = np.minimum(windows[first], windows[last]).T
+        first, last = begin[chosen], begin[chosen] + held[chosen] - 2**p
+        result[chosen] = np.minimum(rows[first], rows[last])
     return result
