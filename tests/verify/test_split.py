@@ -1,0 +1,178 @@
+"""Nodes that are divided at the wrong place or along the wrong axis."""
+
+import numpy as np
+import pytest
+
+from grader.model.mesh import Floats, Mesh
+from grader.model.verdict import Evidence
+from grader.verify.split import splits_at_the_median, splits_the_longest_axis
+from tests.verify.builder import (
+    Reading,
+    build,
+    changed,
+    failed,
+    mesh_of,
+    soup,
+    tree_case,
+)
+
+MESH = soup(37)
+BVH = build(MESH)
+
+
+def always(axis: int) -> Reading:
+    """Split along one axis only."""
+    return Reading(axis=lambda _: axis)
+
+
+def stretched(axis: int, faces: int = 8) -> Mesh:
+    """Make a soup whose box is by far the longest along one axis."""
+    factors = np.ones(3)
+    factors[axis] = 50
+    return mesh_of(soup(faces).vertices.reshape(-1, 3, 3) * factors)
+
+
+@pytest.mark.parametrize("longest", [0, 1, 2])
+@pytest.mark.parametrize("chosen", [0, 1, 2])
+def test_another_axis_is_named_with_the_longest(longest: int, chosen: int) -> None:
+    """Only the longest axis passes; the message names the chosen and the right one."""
+    mesh = stretched(longest)
+    bvh = build(mesh, always(chosen))
+    evidence = splits_the_longest_axis.decide(tree_case(mesh, bvh))
+    if longest == chosen:
+        assert evidence == Evidence(1, 0)
+        return
+    (example,) = evidence.examples
+    names = "xyz"[chosen], "xyz"[longest]
+    assert (example.got, example.expected) == names
+    assert example.message.startswith("node 0 is divided along ")
+    assert failed(mesh, bvh) == {"splits-the-longest-axis"}
+
+
+def shortest(extent: Floats) -> int:
+    """Take the shortest axis."""
+    return int(np.argmin(extent))
+
+
+def test_every_wrong_axis_is_counted() -> None:
+    """With the shortest axis everywhere all splits of long nodes are wrong, not just one."""
+    evidence = splits_the_longest_axis.decide(
+        tree_case(MESH, build(MESH, Reading(axis=shortest)))
+    )
+    assert evidence.examined == 12
+    assert evidence.wrong >= 10
+    assert len(evidence.examples) == 3
+
+
+@pytest.mark.parametrize("corner", ["low", "high"])
+def test_a_split_that_follows_from_a_wrong_box_is_no_second_mistake(corner: str) -> None:
+    """The axis may be the longest of the true box or of the one that the submission made."""
+    mesh = stretched(0, faces=20)
+    by_y = build(mesh, always(1))
+    assert "splits-the-longest-axis" in failed(mesh, by_y)
+    box = getattr(by_y, corner).copy()
+    box[:, 1] = -1e9 if corner == "low" else 1e9
+    tall = by_y
+    for node in np.flatnonzero(by_y.end):
+        tall = changed(tall, corner, (int(node), 1), float(box[node, 1]))
+    assert failed(mesh, tall) == {"root-holds-all-faces", "boxes-are-tight"}
+
+
+@pytest.mark.parametrize("ulps", [0, 1, 2, 3, 4])
+def test_axes_within_four_ulp_count_as_equal(ulps: int) -> None:
+    """A box computed by another order of operations may have another longest axis."""
+    assert evidence_of_near_tie(ulps).wrong == 0
+
+
+@pytest.mark.parametrize("ulps", [6, 100])
+def test_axes_beyond_four_ulp_differ(ulps: int) -> None:
+    """The tolerance is no wider than rounding needs."""
+    assert evidence_of_near_tie(ulps).wrong == 1
+
+
+def evidence_of_near_tie(ulps: int) -> Evidence:
+    """Divide along y where x is longer by some units in the last place."""
+    y = np.linspace(1, 2, 5, dtype=np.float32)
+    x = y[[2, 4, 0, 3, 1]]
+    x[x == 2] += np.float32(ulps * 2.0**-23)
+    corners = np.stack([x, y, 0 * y], axis=1)[:, None] * np.ones((1, 3, 1))
+    mesh = mesh_of(corners)
+    return splits_the_longest_axis.decide(tree_case(mesh, build(mesh, always(1))))
+
+
+@pytest.mark.parametrize("shift", [-1, 1])
+def test_halves_of_another_size_are_wrong(shift: int) -> None:
+    """A middle that is one face beside the median leaves halves that differ by two."""
+    mesh = soup(12)
+    evidence = splits_at_the_median.decide(tree_case(mesh, build(mesh, Reading(shift=shift))))
+    assert evidence.wrong >= 1
+    assert evidence.examples[0].got in ("5 and 7 faces", "7 and 5 faces")
+    assert "splits-at-the-median" in failed(mesh, build(mesh, Reading(shift=shift)))
+
+
+@pytest.mark.parametrize(("odd_left", "shift"), [(False, 1), (True, 0)])
+def test_an_odd_face_may_be_on_either_side(odd_left: bool, shift: int) -> None:
+    """Of nine faces the left half gets four or five."""
+    mesh = soup(5)
+    assert failed(mesh, build(mesh, Reading(odd_left=odd_left, shift=shift))) == set()
+
+
+@pytest.mark.parametrize("axis", [0, 1, 2])
+def test_a_face_on_the_wrong_side_is_seen_on_every_axis(axis: int) -> None:
+    """Exchanging the first face with the last mixes the halves of the root."""
+    mesh = stretched(axis, faces=37)
+    right = build(mesh)
+    order = right.order.copy()
+    order[[0, -1]] = order[[-1, 0]]
+    bvh = changed(changed(right, "order", 0, order[0]), "order", 36, order[36])
+    evidence = splits_at_the_median.decide(tree_case(mesh, bvh))
+    assert evidence.wrong >= 1
+    (first, *_) = evidence.examples
+    assert first.message.startswith(f"node 0: the left half reaches to centre {'xyz'[axis]} = ")
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_unsorted_halves_are_wrong(seed: int) -> None:
+    """Without `nth_element` the faces stay as the mesh has them."""
+    mesh = soup(64, seed)
+    unsorted = Reading(centre=lambda a, *_: np.zeros_like(a))
+    evidence = splits_at_the_median.decide(tree_case(mesh, build(mesh, unsorted)))
+    assert evidence.wrong >= 8
+
+
+@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("name", ["first vertex", "box", "two vertices"])
+def test_other_centres_are_wrong(seed: int, name: str) -> None:
+    """The first vertex, the middle of the box and two thirds of the vertices are no centre."""
+    centres = {
+        "first vertex": lambda a, _b, _c: a,
+        "box": lambda a, b, c: (
+            np.minimum(np.minimum(a, b), c) + np.maximum(np.maximum(a, b), c)
+        ),
+        "two vertices": lambda a, b, _: a + b,
+    }
+    mesh = soup(200, seed)
+    bvh = build(mesh, Reading(centre=centres[name]))
+    assert "splits-at-the-median" in failed(mesh, bvh)
+
+
+@pytest.mark.parametrize(("gap", "wrong"), [(1, 0), (3, 0), (4, 0), (8, 1), (50, 1)])
+def test_centres_may_be_mixed_by_four_ulp_of_the_coordinates(gap: int, wrong: int) -> None:
+    """Eight points a few units in the last place apart, with the two middle ones exchanged."""
+    x = 1024 + np.array([-900, -800, -700, 0, 0, 700, 800, 900], np.float32)
+    x[4] += gap * np.float32(2.0**-13)
+    # Neither y nor z explains a split between the middle points.
+    y = np.tile(np.array([0, 1], np.float32), 4)
+    mesh = mesh_of(np.stack([x, y, y], axis=1)[:, None] * np.ones((1, 3, 1)))
+    right = build(mesh)
+    order = right.order.copy()
+    order[[3, 4]] = order[[4, 3]]
+    bvh = changed(changed(right, "order", 3, order[3]), "order", 4, order[4])
+    evidence = splits_at_the_median.decide(tree_case(mesh, bvh))
+    assert evidence.wrong == wrong
+
+
+def test_only_nodes_that_their_children_partition_are_judged() -> None:
+    """A lost face is the partition's mistake, not the split's."""
+    bvh = changed(BVH, "end", 2, 36)
+    assert splits_at_the_median.decide(tree_case(MESH, bvh)).examined == 10
