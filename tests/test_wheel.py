@@ -15,14 +15,21 @@ from tests.own_files import ROOT
 
 Command = Sequence[str | Path]
 
+# All in one process of xdist, so that the wheel is built once.
+pytestmark = pytest.mark.xdist_group("wheel")
 
-def run(command: Command, folder: Path, **extra: str) -> subprocess.CompletedProcess[str]:
+
+def run(command: Command, folder: Path) -> subprocess.CompletedProcess[str]:
     """Run a command with nothing of this checkout in its environment."""
-    kept = {name: os.environ[name] for name in ("PATH", "HOME", "CXX") if name in os.environ}
+    kept = {
+        name: os.environ[name]
+        for name in ("PATH", "HOME", "CXX", "BVHGRADE_CACHE")
+        if name in os.environ
+    }
     return subprocess.run(
         [str(word) for word in command],
         cwd=folder,
-        env={**kept, **extra},
+        env=kept,
         capture_output=True,
         text=True,
         check=False,
@@ -99,7 +106,7 @@ def test_every_file_is_shipped(installed: Path) -> None:
 
 
 def test_the_reference_scores_full_marks(installed: Path, tmp_path: Path) -> None:
-    """Built, run and compared from the wheel alone, with an empty cache."""
+    """Built, run and compared from the wheel alone."""
     reference = ask(installed, "resources.reference_source()")
     command: Command = [
         installed / "bin" / "bvhgrade",
@@ -108,7 +115,7 @@ def test_the_reference_scores_full_marks(installed: Path, tmp_path: Path) -> Non
         "-o",
         tmp_path / "out",
     ]
-    result = run(command, tmp_path, BVHGRADE_CACHE=str(tmp_path / "cache"))
+    result = run(command, tmp_path)
     assert result.returncode == 0, result.stdout + result.stderr
     told = json.loads((tmp_path / "out" / "result.json").read_text())
     assert (told["score"], told["max_score"], told["needs_review"]) == (50, 50, False)
