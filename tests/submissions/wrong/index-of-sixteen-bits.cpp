@@ -1,6 +1,6 @@
-// expect: hits.survives-every-ray
+// expect: hits.closest-wins
 // untouched: a
-// mistake: Node indices are kept in uint16_t, so in a tree of more than 65536 nodes the walk comes back to the root and never ends.
+// mistake: Node indices are kept in uint16_t, so nodes from 65536 on are never reached.
 #include "bvh.h"
 #include "intersection.h"
 #include "mesh.h"
