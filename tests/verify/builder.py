@@ -1,4 +1,4 @@
-"""Makes meshes, right and wrong trees of them, and the verdicts on these, without a compiler."""
+"""Makes meshes, right and wrong trees of them, and their verdicts, without a compiler."""
 
 import itertools
 from collections.abc import Callable, Iterable

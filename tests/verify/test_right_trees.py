@@ -49,7 +49,7 @@ def grid() -> Mesh:
     """Make 8 x 8 equal triangles: every median has ties, and both axes are equally long."""
     x, y = (part.ravel() for part in np.meshgrid(np.arange(8.0), np.arange(8.0)))
     corner = np.stack([x, y, 0 * x], axis=1)[:, None]
-    return mesh_of(corner + [[0, 0, 0], [1, 0, 0], [0, 1, 0]])
+    return mesh_of(corner + np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]]))
 
 
 MESHES = {
