@@ -22,6 +22,10 @@ from typing import IO
 from grader.errors import MissingTool
 
 CHUNK = 65536
+PIPE_LIMIT = 1 << 20
+"""Largest size of a pipe without privileges. Source: fs.pipe-max-size in proc(5)."""
+
+DROPPED = b"\n[...]\n"
 PLAIN_ENVIRONMENT = {"PATH": "/usr/local/bin:/usr/bin:/bin", "LC_ALL": "C.UTF-8"}
 """What a child sees of our environment: nothing of the caller's tokens and paths."""
 
@@ -35,7 +39,7 @@ class Order:
     """Wall time after which the process group is killed."""
 
     output_bytes: int = 1 << 20
-    """How much is kept of each of the two output streams; the rest is dropped."""
+    """How much is kept of each of the two output streams; the middle is dropped."""
 
     folder: Path | None = None
     descriptors: tuple[int, ...] = ()
@@ -57,22 +61,38 @@ class Outcome:
 
 
 class _Stream:
-    """One output pipe: keeps the first bytes up to a cap, and drops the rest."""
+    """One output pipe: keeps the beginning and the end up to a cap, and drops the middle.
+
+    A compiler's first error comes early, a sanitizer's report last.
+    """
 
     def __init__(self, descriptor: int, cap: int) -> None:
         os.set_blocking(descriptor, False)
         self.descriptor = descriptor
-        self.cap = cap
-        self.kept = bytearray()
+        self._half = cap // 2
+        self._head = bytearray()
+        self._tail = bytearray()
+        self._dropped = False
 
-    def drain(self) -> bool:
-        """Read what is there; returns False once the other side has closed the pipe."""
+    @property
+    def kept(self) -> bytes:
+        """What was printed, with a mark where something was dropped."""
+        return bytes(self._head) + DROPPED * self._dropped + bytes(self._tail)
+
+    def drain(self) -> int | None:
+        """Read what is there; the number of bytes, 0 at the end, None if nothing waits."""
         try:
             chunk = os.read(self.descriptor, CHUNK)
         except BlockingIOError:
-            return True
-        self.kept += chunk[: self.cap - len(self.kept)]
-        return bool(chunk)
+            return None
+        room = self._half - len(self._head)
+        self._head += chunk[:room]
+        self._tail += chunk[room:]
+        surplus = len(self._tail) - self._half
+        if surplus > 0:
+            del self._tail[:surplus]
+            self._dropped = True
+        return len(chunk)
 
 
 def launch(order: Order) -> Outcome:
@@ -104,7 +124,7 @@ def launch(order: Order) -> Outcome:
             code, cpu_seconds = _reap(child)
         for stream in streams:
             _drain_all(stream)
-    out, err = (bytes(stream.kept) for stream in streams)
+    out, err = (stream.kept for stream in streams)
     return Outcome(code, timed_out, out, err, time.monotonic() - started, cpu_seconds)
 
 
@@ -124,7 +144,7 @@ def _watch(pid: int, streams: list[_Stream], deadline: float) -> bool:
                 for key, _ in selector.select(left):
                     if key.data is None:
                         return True
-                    if not key.data.drain():
+                    if key.data.drain() == 0:
                         selector.unregister(key.fd)
             return False
     finally:
@@ -141,8 +161,10 @@ def _reap(child: subprocess.Popen[bytes]) -> tuple[int, float]:
 
 
 def _drain_all(stream: _Stream) -> None:
-    """Take what the dead child left in the pipe, at most what is still kept."""
-    while len(stream.kept) < stream.cap:
-        before = len(stream.kept)
-        if not stream.drain() or len(stream.kept) == before:
+    """Take what the dead child left in the pipe, and no more than a pipe can hold.
+
+    A process that left the group may still write, as fast as this reads.
+    """
+    for _ in range(PIPE_LIMIT // CHUNK):
+        if not stream.drain():
             return
