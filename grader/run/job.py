@@ -96,10 +96,11 @@ def _write(descriptor: int, data: bytes | memoryview, offset: int) -> None:
     """Write all of it: one call moves at most 2 GiB."""
     view = memoryview(data)
     while view:
-        written = os.pwrite(descriptor, view, offset)
-        if written <= 0:
-            message = "the input of a worker could not be written: out of memory?"
-            raise WorkerFault(message)
+        try:
+            written = os.pwrite(descriptor, view, offset)
+        except OSError as error:
+            message = f"the input of a worker could not be written: {error.strerror}"
+            raise WorkerFault(message) from error
         view, offset = view[written:], offset + written
 
 

@@ -248,7 +248,7 @@ def _repeat(trial: RepeatTrial) -> Request:
     first = trace(job, slot, rays)
     backwards = trace(job, slot, _reversed(rays))
     again = trace(job, slot, rays)
-    trace(job, other, rays)
+    elsewhere = trace(job, other, rays)
     after = trace(job, slot, rays)
     together = trace(job, slot, rays, THREADS)
 
@@ -259,7 +259,8 @@ def _repeat(trial: RepeatTrial) -> Request:
             ("after rays on another mesh", after(result).hits[0]),
             *(("from two threads at once", hits) for hits in together(result).hits),
         ]
-        return (RepeatCase(trial.name, trial, first(result).hits[0], tuple(repeats)),)
+        begun, other_hits = first(result).hits[0], elsewhere(result).hits[0]
+        return (RepeatCase(trial.name, trial, begun, tuple(repeats), other_hits),)
 
     return Request(job, read)
 

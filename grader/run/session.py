@@ -7,7 +7,6 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-from grader.errors import WorkerFault
 from grader.model.stages import Ending, Stop
 from grader.run.job import Job, Result
 from grader.run.protocol import ERROR_CAPACITY, ERROR_OFFSET, Status
@@ -20,15 +19,21 @@ CPU_SECONDS_PER_SECOND = 3
 
 SANITIZER_EXIT = 86
 SANITIZER_ENVIRONMENT = {
+    # An assertion ends in abort: handled, it leaves a stack with the student's line.
     "ASAN_OPTIONS": f"detect_leaks=0:exitcode={SANITIZER_EXIT}:max_allocation_size_mb=2048:"
+    "handle_abort=1:"
     "hard_rss_limit_mb=3072:allocator_may_return_null=1:detect_odr_violation=0",
     "UBSAN_OPTIONS": f"print_stacktrace=1:exitcode={SANITIZER_EXIT}",
 }
 
 _FINDINGS = (
-    re.compile(r"ERROR: AddressSanitizer: ([\w-]+)"),
+    # Memory that there is not is no memory error, and an abort without more is no finding.
+    re.compile(r"ERROR: AddressSanitizer: (?!ABRT|out of memory|allocation-size)([\w-]+)"),
     re.compile(r"runtime error: (.{1,200})"),
     re.compile(r"(Assertion '.{1,120}') failed"),
+)
+_EXHAUSTED = re.compile(
+    r"AddressSanitizer: (out of memory|allocation-size-too-big|hard rss limit exhausted)"
 )
 _OWN_LINE = re.compile(r"src/exercise03\.cpp:(\d{1,7})")
 
@@ -53,7 +58,8 @@ def run_job(job: Job, engine: Engine, seconds: float) -> tuple[Ending, Result | 
         How it ended, and the result if every row was carried out.
 
     Raises:
-        WorkerFault: The worker failed for a reason that is ours.
+        WorkerFault: There is no memory for the input.
+        MissingTool: The interpreter cannot be started.
     """
     with job.files() as (given, result_file):
         cpu_seconds = math.ceil(seconds * CPU_SECONDS_PER_SECOND)
@@ -80,6 +86,8 @@ def _ending(outcome: Outcome, job: Job, result: Result, seconds: float) -> Endin
     stop, detail = _stop(outcome, finished == job.row_count, status, result, seconds)
     text = outcome.err.decode("utf-8", errors="replace")
     finding, line = ("", 0) if stop is Stop.FINISHED else _read_finding(text)
+    if outcome.code == SANITIZER_EXIT and not finding and _EXHAUSTED.search(text):
+        stop, detail = Stop.OUT_OF_MEMORY, "asked for more memory than there is"
     return Ending(
         stop=stop,
         detail=detail,
@@ -114,18 +122,21 @@ def _killed(number: int) -> tuple[Stop, str]:
 
 
 def _failed(status: int, result: Result) -> tuple[Stop, str]:
+    """Word a status, which is the submission's word: none of them is taken for our fault.
+
+    A worker that fails for our reason fails with the reference too, and says so there.
+    """
     length = min(result.number(32), ERROR_CAPACITY)
     text = result.text(ERROR_OFFSET, length).decode("utf-8", errors="replace")
     match status:
         case Status.OUT_OF_MEMORY:
             return Stop.OUT_OF_MEMORY, f"asked for more memory than there is ({text})"
+        case Status.NO_THREAD:
+            return Stop.OUT_OF_MEMORY, f"left no memory for a second thread ({text})"
         case Status.NOT_WRITTEN:
             return Stop.FAILED_TO_START, text
-        case Status.NOT_LOADED:
+        case Status.NOT_LOADED | Status.MISMATCH:
             return Stop.FAILED_TO_START, f"the library could not be loaded: {text}"
-        case Status.MISMATCH | Status.NO_THREAD:
-            message = f"a worker failed for our own reason: {Status(status).name} {text}"
-            raise WorkerFault(message)
     return Stop.CRASHED, f"threw an exception: {text}"
 
 

@@ -1,5 +1,6 @@
 """How all trials of a submission are run, two workers at a time, within one budget."""
 
+import math
 import os
 import threading
 import time
@@ -19,6 +20,9 @@ LARGE_MESH = 20_000
 
 HUGE_MESH = 1_000_000
 """Beyond this the time limit grows with the faces."""
+
+WORKERS = 2
+"""More at once would take memory and time from each other, and limits are in wall time."""
 
 HURRIED_SECONDS = 1.0
 PATIENCE = 3
@@ -48,7 +52,7 @@ class Budget:
 
     def __init__(self, limits: Limits) -> None:
         self._limits = limits
-        self._deadline = time.monotonic() + limits.total_seconds
+        self._deadline = math.inf
         self._timeouts = {"a": 0, "b": 0}
         self._lock = threading.Lock()
 
@@ -59,10 +63,13 @@ class Budget:
         allowed = self._limits.small_seconds
         if faces > LARGE_MESH:
             allowed = self._limits.large_seconds * max(1.0, faces / HUGE_MESH)
+        now = time.monotonic()
         with self._lock:
+            # The clock starts with the first worker, not while others are still preparing.
+            self._deadline = min(self._deadline, now + self._limits.total_seconds)
             if self._timeouts[part_of(trial)] >= PATIENCE:
                 allowed = HURRIED_SECONDS
-        return max(0.0, min(allowed, self._deadline - time.monotonic()))
+        return max(0.0, min(allowed, self._deadline - now))
 
     def note(self, trial: Trial, ending: Ending) -> None:
         """Remember how a trial ended."""
@@ -79,7 +86,7 @@ def run_trials(
 ) -> Iterable[tuple[Case, ...]]:
     """Run every trial in a process of its own; yields their cases in the order of `trials`."""
     runnable = [trial for trial in trials if engines.sanitized or not is_sanitized(trial)]
-    with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
+    with ThreadPoolExecutor(min(WORKERS, len(os.sched_getaffinity(0)))) as pool:
         futures = [pool.submit(_run, trial, engines, budget) for trial in runnable]
         try:
             for number, future in enumerate(futures):

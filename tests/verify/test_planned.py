@@ -43,7 +43,7 @@ def delivered(trial: Trial) -> tuple[Case, ...]:
 
 @pytest.mark.parametrize("trial", every_trial(), ids=lambda trial: trial.name)
 def test_each_trial_delivers_the_planned_kinds(trial: Trial) -> None:
-    """The plan and the requests agree on the kinds of cases, and cases bear the trial's name."""
+    """The plan and the requests agree on the kinds; each case bears the name of its trial."""
     cases = delivered(trial)
     assert Counter(type(case) for case in cases) == Counter(kinds_of(trial))
     assert {case.name for case in cases} == {trial.name}
