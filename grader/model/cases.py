@@ -118,6 +118,9 @@ class RepeatCase:
     again: tuple[tuple[str, Hits], ...]
     """In which circumstances, and the hits in the order of `first`."""
 
+    other: Hits
+    """Hits of the same rays on the other mesh."""
+
 
 @dataclass(frozen=True, slots=True)
 class ImageCase:

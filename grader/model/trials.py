@@ -95,7 +95,10 @@ class WorkTrial:
 
 @dataclass(frozen=True, slots=True)
 class RepeatTrial:
-    """Call `intersect` for the same rays: reversed, again, after others, from threads."""
+    """Call `intersect` for the same rays: reversed, again, after others, from threads.
+
+    They are also traced on another mesh in between, which must not find what was found before.
+    """
 
     name: str
     mesh: Mesh
@@ -103,6 +106,8 @@ class RepeatTrial:
     other_mesh: Mesh
     other_tree: Bvh
     rays: Rays
+    other_answers: Answers
+    """Of the same rays on the other mesh."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

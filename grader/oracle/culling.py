@@ -13,7 +13,7 @@ import numpy as np
 
 from grader.errors import OracleFault
 from grader.model.mesh import Bvh, Doubles, Floats, Integers, Mask, Mesh, Rays
-from grader.oracle.hierarchy import Touches, leaves_of, traverse
+from grader.oracle.hierarchy import Touches, leaves_of, spread, traverse
 from grader.oracle.padding import columns, corners_of, edge_padding, norm
 from grader.tolerances import EDGE_PADDING, NEEDLE, UNIT_ROUNDOFF
 
@@ -64,15 +64,8 @@ def culled_pairs(mesh: Mesh, rays: Rays, tree: Bvh, cut: Doubles) -> Iterator[Pa
         first, last = begin[visits.leaf], end[visits.leaf]
         chunk = np.cumsum(last - first) // CHUNK
         for part in np.split(np.arange(chunk.size), np.flatnonzero(np.diff(chunk)) + 1):
-            ray, place = _spread(visits.ray[part], first[part], last[part])
+            ray, place = spread(visits.ray[part], first[part], last[part])
             yield ray, tree.order[place].astype(np.int64)
-
-
-def _spread(ray: Integers, begin: Integers, end: Integers) -> Pairs:
-    """Turn ranges into one entry for each place in them."""
-    size = end - begin
-    offset = np.arange(size.sum()) - np.repeat(np.cumsum(size) - size, size)
-    return np.repeat(ray, size), np.repeat(begin, size) + offset
 
 
 def _boxes(mesh: Mesh, tree: Bvh, leaf: Mask, reach: float) -> tuple[Floats, Floats]:

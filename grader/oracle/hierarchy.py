@@ -76,3 +76,10 @@ def _block(leaf: Mask, ray: Integers, touches: Touches) -> Visits:
         leaf=np.concatenate(found_leaf),
         tested=np.concatenate(tested),
     )
+
+
+def spread(ray: Integers, begin: Integers, end: Integers) -> tuple[Integers, Integers]:
+    """Turn ranges into one entry for each place in them."""
+    size = end - begin
+    offset = np.arange(size.sum()) - np.repeat(np.cumsum(size) - size, size)
+    return np.repeat(ray, size), np.repeat(begin, size) + offset

@@ -99,7 +99,7 @@ def _write(path: Path, arrays: Arrays) -> None:
         return
 
 
-def _drop_oldest(folder: Path, largest: int = LARGEST) -> None:
+def _drop_oldest(folder: Path) -> None:
     """Delete what was not used for the longest time until the rest is small enough."""
     entries = []
     for path in folder.iterdir():
@@ -111,5 +111,5 @@ def _drop_oldest(folder: Path, largest: int = LARGEST) -> None:
     total = 0
     for _, size, path in sorted(entries, reverse=True):
         total += size
-        if total > largest:
+        if total > LARGEST:
             path.unlink(missing_ok=True)

@@ -10,7 +10,7 @@ from grader.model.mesh import SOLID, Answers, Hits, Mask, Rays
 from grader.model.trials import TraceTrial
 from grader.model.verdict import Evidence, Example
 from grader.tolerances import UNIT_LENGTH
-from grader.verify.check import check, judged, vector
+from grader.verify.check import MAX_EXAMPLES, check, judged, vector
 from grader.verify.closest import Judgement, judge, owners
 from grader.verify.shading import normal_errors, point_errors
 
@@ -96,8 +96,18 @@ def record_is_complete(case: HitCase) -> Evidence:
 def calls_are_independent(case: RepeatCase) -> Evidence:
     """The same ray gives the same bits in any order, repeated and from two threads.
 
-    Of a miss only t has a meaning.
+    Of a miss only t has a meaning. On another mesh the same ray finds that mesh's faces.
     """
+    repeated, elsewhere = _repeated(case), _elsewhere(case)
+    return Evidence(
+        examined=repeated.examined + elsewhere.examined,
+        wrong=repeated.wrong + elsewhere.wrong,
+        examples=(repeated.examples + elsewhere.examples)[:MAX_EXAMPLES],
+    )
+
+
+def _repeated(case: RepeatCase) -> Evidence:
+    """Compare later records of a ray with its first one."""
     ray = np.tile(np.arange(case.first.t.size), len(case.again))
     wrong = [_differ(case.first, hits) for _, hits in case.again]
 
@@ -108,6 +118,22 @@ def calls_are_independent(case: RepeatCase) -> Evidence:
         return Example(text, expected=expected, got=got)
 
     return judged(np.concatenate(wrong) if wrong else np.zeros(0, np.bool_), example)
+
+
+def _elsewhere(case: RepeatCase) -> Evidence:
+    """Apply the rule of closest hits to the same rays on the other mesh."""
+    judgement = judge(case.trial.other_answers, case.other.t)
+    ray = np.flatnonzero(~judgement.uncounted)
+    wrong = judgement.missed_closer | judgement.no_surface
+
+    def example(k: int) -> Example:
+        got = _told(case.other.t[ray[k]])
+        face, t = _closest(case.trial.other_answers, int(ray[k]))
+        expected = f"a hit on face {face} at t = {t:.9g}" if face >= 0 else "t = inf"
+        text = f"ray {ray[k]}: {got} on a second mesh, after the same ray on a first one, "
+        return Example(f"{text}but {expected} is right there", expected=expected, got=got)
+
+    return judged(wrong[ray], example)
 
 
 def _judged(case: HitCase, looked_at: Mask) -> Evidence:

@@ -31,7 +31,7 @@ def plane_test(rays: Rays, corners: Floats) -> tuple[Floats, Floats, Floats]:
         p = o + d * t[:, None]
         for edge, foot in ((b - a, a), (c - b, b), (a - c, c)):
             inside &= dot(n, cross(edge, p - foot)) >= 0
-        normal: Floats = n / np.sqrt(dot(n, n))[:, None]
+        normal = (n / np.sqrt(dot(n, n))[:, None]).astype(np.float32)
     point: Floats = p
     kept: Floats = np.where(inside, t, np.float32(np.inf)).astype(np.float32)
     return point, kept, normal

@@ -1,0 +1,117 @@
+"""Altered trees: what is lost is lost to every right traversal, and nothing else is."""
+
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+
+from grader.model.mesh import Bvh, Hits, Mask, Rays
+from grader.model.trials import AlteredTrial
+from grader.oracle.altered import altered_trials
+from grader.oracle.brute import chosen
+from grader.oracle.costs import given_box_test, plain_costs
+from grader.oracle.hierarchy import leaves_of, spread, traverse
+from grader.verify.closest import judge
+from tests.oracle.tracer import plane_test
+from tests.oracle.treebuilder import planted
+
+
+def trials(seed: int = 3) -> Iterator[AlteredTrial]:
+    """Spoil two trees in both ways."""
+    for name in ("terrain-1200", "dragon-res4"):
+        mesh, tree = planted(name)
+        yield from altered_trials(seed, name, mesh, tree)
+
+
+def levels(count: int) -> np.ndarray:
+    """Return the level of each of `count` nodes."""
+    return np.array([(node + 1).bit_length() - 1 for node in range(count)])
+
+
+def traversed(trial: AlteredTrial, tested: Mask) -> Hits:
+    """Trace through the altered tree, testing only the boxes of some nodes."""
+    tree, rays = trial.tree, trial.rays
+    test = given_box_test(tree, rays)
+    t = np.full(len(rays.t_min), np.inf, np.float32)
+    visits = traverse(
+        leaves_of(tree), t.size, lambda ray, node: ~tested[node] | test(ray, node)
+    )
+    begin, end = tree.begin.astype(np.int64), tree.end.astype(np.int64)
+    for block in visits:
+        ray, place = spread(block.ray, begin[block.leaf], end[block.leaf])
+        corners = trial.mesh.vertices[trial.mesh.faces[tree.order[place]]]
+        np.minimum.at(t, ray, plane_test(chosen(rays, ray), corners)[1])
+    nothing = np.zeros((t.size, 3), np.float32)
+    return Hits(nothing, t, nothing)
+
+
+@pytest.mark.parametrize("skipped", ["none", "root", "leaves", "even", "odd"])
+def test_every_right_traversal_loses_what_is_lost_and_no_more(skipped: str) -> None:
+    """A traversal may leave out the root's box, the leaves' or those of every other level."""
+    mesh, tree = planted("terrain-1200")
+    for trial in altered_trials(4, "terrain-1200", mesh, tree):
+        level = levels(tree.end.size)
+        tested = {
+            "none": level >= 0,
+            "root": level > 0,
+            "leaves": ~leaves_of(tree),
+            "even": level % 2 == 1,
+            "odd": level % 2 == 0,
+        }[skipped]
+        judgement = judge(trial.answers, traversed(trial, tested).t)
+        found = (judgement.accepted >= 0) & ~judgement.missed_closer
+        assert (found == ~trial.lost).all()
+
+
+def test_there_is_enough_to_lose_and_to_keep() -> None:
+    """Some ten rays and more on either side, on every altered tree."""
+    for trial in trials():
+        assert np.count_nonzero(trial.lost) > 50
+        assert np.count_nonzero(~trial.lost) > 50
+
+
+def test_the_altered_tree_keeps_its_shape() -> None:
+    """No end becomes 0, no box is turned inside out, and leaves stay leaves."""
+    for trial in trials():
+        name = trial.name.partition(" ")[0]
+        tree, original = trial.tree, planted(name)[1]
+        used = original.end > 0
+        assert (tree.end == original.end).all()
+        assert (tree.begin[used] <= tree.end[used]).all()
+        assert (tree.low[used] <= tree.high[used]).all()
+        assert (leaves_of(tree) == leaves_of(original)).all()
+        assert (tree.low[0] == original.low[0]).all()
+        assert (tree.high[0] == original.high[0]).all()
+
+
+def test_a_plain_traversal_is_counted_by_hand() -> None:
+    """A root with two leaves of two faces: three box tests, and two or four triangle tests."""
+    low = np.array([[0, 0, 0], [0, 0, 0], [2, 0, 0]], np.float32)
+    high = np.array([[3, 1, 1], [1, 1, 1], [3, 1, 1]], np.float32)
+    tree = Bvh(
+        low,
+        high,
+        np.array([0, 0, 2], np.uint32),
+        np.array([4, 2, 4], np.uint32),
+        np.arange(4, dtype=np.uint32),
+        3,
+    )
+
+    def costs(origin: tuple[float, ...], direction: tuple[float, ...]) -> tuple[float, float]:
+        return plain_costs(
+            tree,
+            Rays(
+                np.array([origin], np.float32),
+                np.array([direction], np.float32),
+                np.array([1e-5], np.float32),
+                np.array([np.inf], np.float32),
+            ),
+        )
+
+    assert costs((-1, 0.5, 0.5), (1, 0, 0)) == (3, 4)
+    assert costs((0.5, 0.5, 5), (0, 0, -1)) == (3, 2)
+    assert costs((1.5, 0.5, 5), (0, 0, -1)) == (3, 0)
+    assert costs((0.5, 5, 5), (0, 0, -1)) == (1, 0)
+    # In the plane of a slab: 0 * infinity excludes nothing.
+    assert costs((0.0, 0.5, 5), (0.0, 0, -1)) == (3, 2)
+    assert costs((0.0, 0.5, 5), (-0.0, 0, -1)) == (3, 2)

@@ -1,0 +1,107 @@
+"""Work is judged by what the tree leads to, by counted tests, and by the model's time."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from grader.model.cases import AlteredCase, WorkCase
+from grader.model.mesh import Hits
+from grader.model.trials import WorkTrial
+from grader.oracle.altered import altered_trials
+from grader.oracle.brute import NOTHING
+from grader.oracle.bundle import stage_for
+from grader.oracle.ordinary import inbound
+from grader.verify.work import excludes_most_triangles, uses_the_tree
+from tests.oracle.tracer import trace
+from tests.oracle.treebuilder import planted
+
+
+def altered(kind: int) -> tuple[AlteredCase, np.ndarray]:
+    """Return a case whose hits are all found, and t of a right traversal."""
+    mesh, tree = planted("terrain-1200")
+    trial = altered_trials(8, "terrain-1200", mesh, tree)[kind]
+    hits = trace(mesh, trial.rays, tree)
+    right = np.where(trial.lost, np.float32(np.inf), hits.t)
+    return AlteredCase(trial.name, trial, hits), right
+
+
+def with_t(case: AlteredCase, t: np.ndarray) -> AlteredCase:
+    """Replace the distances."""
+    return replace(case, hits=replace(case.hits, t=t))
+
+
+@pytest.mark.parametrize("kind", [0, 1])
+def test_ignoring_the_tree_fails(kind: int) -> None:
+    """Every hit that the tree does not lead to any more is counted."""
+    case, right = altered(kind)
+    evidence = uses_the_tree.decide(case)
+    assert evidence.wrong == evidence.examined == np.count_nonzero(case.trial.lost)
+    assert "cannot be reached in a tree where" in evidence.examples[0].message
+    assert uses_the_tree.decide(with_t(case, right)).wrong == 0
+
+
+@pytest.mark.parametrize("kind", [0, 1])
+def test_one_hit_too_many_fails(kind: int) -> None:
+    """A single lost ray that still hits is enough."""
+    case, right = altered(kind)
+    ray = np.flatnonzero(case.trial.lost)[4]
+    right[ray] = case.hits.t[ray]
+    evidence = uses_the_tree.decide(with_t(case, right))
+    assert evidence.wrong == 1
+    assert evidence.examples[0].message.startswith(f"ray {ray} from ")
+
+
+@pytest.mark.parametrize("nothing", [np.inf, np.nan])
+def test_hitting_nothing_proves_nothing(nothing: float) -> None:
+    """Whoever returns no hit at all has not used the tree."""
+    case, right = altered(0)
+    evidence = uses_the_tree.decide(with_t(case, np.full_like(right, nothing)))
+    assert evidence.wrong == 1
+    assert "their faces are all still in it" in evidence.examples[0].message
+
+
+def test_another_hit_on_a_lost_ray_is_not_the_lost_one() -> None:
+    """A farther surface may well be hit once the closest is gone."""
+    case, right = altered(0)
+    right[case.trial.lost] = case.hits.t[case.trial.lost] * np.float32(1.5)
+    assert uses_the_tree.decide(with_t(case, right)).wrong == 0
+
+
+def work(boxes: float, triangles: float, seconds: float, model: float = 0.1) -> WorkCase:
+    """Make a case; a plain traversal takes 60 and 10 tests."""
+    mesh, tree = planted("terrain-600")
+    rays = inbound(stage_for(mesh, np.random.default_rng(1), lambda _: NOTHING), 50)
+    trial = WorkTrial("work", mesh, tree, rays, box_tests=60, triangle_tests=10)
+    empty = np.zeros((50, 3), np.float32)
+    hits = Hits(empty, np.zeros(50, np.float32), empty.copy())
+    return WorkCase("work", trial, hits, boxes, triangles, seconds, model)
+
+
+@pytest.mark.parametrize(
+    ("case", "wrong"),
+    [
+        (work(60, 10, 0.1), 0),
+        (work(200, 80, 0.1), 0),
+        (work(200, 81, 0.1), 1),
+        (work(0, 600, 0.1), 1),
+        (work(0, 0, 0.1), 0),
+        (work(0, 0, 1.19), 0),
+        (work(0, 0, 1.21), 1),
+        (work(60, 10, 1.21), 1),
+        (work(60, 10, 1.21, model=0.2), 0),
+        (work(600, 10, 9.0), 2),
+    ],
+)
+def test_tests_and_time_have_limits(case: WorkCase, wrong: int) -> None:
+    """Four times a plain traversal's tests, and 0.2 s + 10 times the model's time."""
+    evidence = excludes_most_triangles.decide(case)
+    assert evidence.examined == 50
+    assert len(evidence.examples) == wrong
+    assert evidence.wrong == (50 if wrong else 0)
+
+
+def test_measured_seconds_are_not_told() -> None:
+    """Two runs with the same seed give the same report."""
+    (example,) = excludes_most_triangles.decide(work(0, 0, 7.654321)).examples
+    assert "7." not in example.message + example.got + example.expected
