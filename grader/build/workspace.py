@@ -115,12 +115,12 @@ def _compile_framework(stub: Path, folder: Path, compiler: Compiler, flavour: Fl
         target = copy / path.relative_to(stub)
         target.parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(path, target)
-    configure = ["cmake", "-S", copy, "-B", folder / "build", "-G", "Unix Makefiles"]
+    build = str(folder / "build")
+    configure = ["cmake", "-S", str(copy), "-B", build, "-G", "Unix Makefiles"]
     configure += [f"-DCMAKE_CXX_COMPILER={compiler.path}", *flavour.options]
     _step(configure, compiler)
     if flavour is not GRAPH:
-        build = ["cmake", "--build", folder / "build", "--target", "framework"]
-        _step([*build, "--parallel", "2"], compiler)
+        _step(["cmake", "--build", build, "--target", "framework", "--parallel", "2"], compiler)
 
 
 def _precompile(folder: Path, compiler: Compiler) -> None:
@@ -132,11 +132,11 @@ def _precompile(folder: Path, compiler: Compiler) -> None:
     header.write_text("\n".join(names) + "\n")
     ending = ".gch" if compiler.name == "g++" else ".pch"
     output = header.with_suffix(f".h{ending}")
-    _step([*command, "-x", "c++-header", header, "-o", output], compiler)
+    _step([*command, "-x", "c++-header", str(header), "-o", str(output)], compiler)
 
 
-def _step(command: Sequence[str | Path], compiler: Compiler) -> None:
-    outcome = launch(Order([str(word) for word in command], FRAMEWORK_SECONDS))
+def _step(command: Sequence[str], compiler: Compiler) -> None:
+    outcome = launch(Order(command, FRAMEWORK_SECONDS))
     if outcome.code != 0 or outcome.timed_out:
         log = (outcome.out + outcome.err).decode(errors="replace")[-4000:]
         message = f"the framework did not build with {compiler.title}:\n{log}"

@@ -225,9 +225,7 @@ def _answers(mesh: Mesh, tree: Bvh, picture: Reference) -> Answers:
     rays = picture.rays
     # The key of a picture covers its mesh; the answers do not depend on the tree.
     key = digest_of("picture", picture.key, rays.origin, rays.direction, rays.t_min, rays.t_max)
-    return Answers(
-        **remember(key, lambda: _arrays(answers(mesh, rays, tree, behind)))  # type: ignore[arg-type]  # names are fields
-    )
+    return Answers(**remember(key, lambda: _arrays(answers(mesh, rays, tree, behind))))
 
 
 def _arrays(found: Answers) -> dict[str, np.ndarray[Any, Any]]:

@@ -91,7 +91,7 @@ def _callees(graph: CallGraph) -> dict[str, set[str]]:
 
 
 def _inside_the_library(call: Call) -> bool:
-    """Tell whether a pointer is one of the standard library's own, such as `std::function`'s."""
+    """Tell whether a pointer is one of the standard library's own, as in `std::function`."""
     pair = (call.caller, call.callee)
     return "*" in pair and any(STANDARD.match(name) for name in pair)
 
@@ -151,7 +151,7 @@ def _by_end(callees: dict[str, set[str]]) -> list[str]:
         waiting = [(root, iter(callees[root]))] if root not in seen else []
         seen.add(root)
         while waiting:
-            name, rest = waiting[-1]
+            _, rest = waiting[-1]
             below = next((each for each in rest if each in callees and each not in seen), None)
             if below is None:
                 done.append(waiting.pop()[0])
