@@ -1,6 +1,6 @@
 // expect: hits.closest-wins
 // untouched: a
-// mistake: The stack has room for fourteen nodes, deeper trees lose some.
+// mistake: The stack has room for twelve nodes, deeper trees lose some.
 #include "bvh.h"
 #include "intersection.h"
 #include "mesh.h"
@@ -58,7 +58,7 @@ Intersection intersect(const Mesh& mesh, const IntersectionRay& ray)
     Intersection naechster;  // t ist unendlich
     if (knoten.empty()) return naechster;
 
-    uint32_t stapel[14];
+    uint32_t stapel[12];
     int hoehe = 0;
     stapel[hoehe++] = 0;
     while (hoehe > 0) {
@@ -67,8 +67,8 @@ Intersection intersect(const Mesh& mesh, const IntersectionRay& ray)
         const uint32_t links = 2 * i + 1, rechts = 2 * i + 2;
         const bool blatt = rechts >= knoten.size() || knoten[links].facesEnd == 0 || knoten[rechts].facesEnd == 0;
         if (!blatt) {
-            if (hoehe < 14) stapel[hoehe++] = links;
-            if (hoehe < 14) stapel[hoehe++] = rechts;
+            if (hoehe < 12) stapel[hoehe++] = links;
+            if (hoehe < 12) stapel[hoehe++] = rechts;
         } else {
             for (auto f : baum.getFaceIndices(knoten[i])) {
                 auto treffer = intersect(mesh.getTriangleFromFaceIndex(f), ray);
