@@ -20,6 +20,7 @@ SURVIVAL = {"a": "bvh.survives-every-mesh", "b": "hits.survives-every-ray"}
 """The check of each part that says whose workers died."""
 
 _MAX_EXAMPLES = 3
+_NAMED_CASES = 4
 
 
 @dataclass(frozen=True, slots=True)
@@ -130,7 +131,7 @@ def _outcome(of: Tally, died: str | None) -> _Outcome:
         )
     if not of.passed or 2 * of.examined < of.planned:
         return _too_little(of, died)
-    return _Outcome(Verdict.PASS)
+    return _Outcome(Verdict.PASS, _passed(of))
 
 
 def _too_little(of: Tally, died: str | None) -> _Outcome:
@@ -145,6 +146,13 @@ def _too_little(of: Tally, died: str | None) -> _Outcome:
     if died:
         return _Outcome(Verdict.BLOCKED, f"{few}, because `{died}` fails", died)
     return _Outcome(Verdict.FAIL, f"{few}: the others gave this check nothing to look at")
+
+
+def _passed(of: Tally) -> str:
+    """Say where a check held: the names of a few cases, the number of many."""
+    names = [one.case for one in of.passed]
+    many = f"in {len(names)} case{'s' if len(names) > 1 else ''}"
+    return f"{many}: {', '.join(names)}" if 1 < len(names) <= _NAMED_CASES else many
 
 
 def _told(of: Tally) -> str:
