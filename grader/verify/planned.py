@@ -29,9 +29,6 @@ from grader.model.trials import (
 from grader.tolerances import FACES_PER_LEAF, MAX_DEPTH, SMALL_MAX_DEPTH
 from grader.verify.check import Check
 
-ONCE = (BuildCase, SourceCase)
-"""Cases that do not come from a trial."""
-
 DELIVERED: dict[type, type] = {
     RebuildTrial: RebuildCase,
     TraceTrial: HitCase,
@@ -54,9 +51,14 @@ def planned_cases(checks: Sequence[Check], trials: Sequence[Trial]) -> dict[str,
         return each.kind in kinds_of(trial) and each.when(trial)
 
     return {
-        each.id: int(each.kind in ONCE) + sum(counts(each, trial) for trial in trials)
+        each.id: _once(each, trials) + sum(counts(each, trial) for trial in trials)
         for each in checks
     }
+
+
+def _once(each: Check, trials: Sequence[Trial]) -> int:
+    """Count the cases that come from no trial; a file that does not compile has no calls."""
+    return int(each.kind is BuildCase or (each.kind is SourceCase and bool(trials)))
 
 
 def _is_small(trial: Trial) -> bool:
