@@ -1,6 +1,7 @@
 """Which C++ compiler is used, and what identifies it."""
 
 import os
+import platform
 import re
 import shutil
 from dataclasses import dataclass
@@ -38,13 +39,17 @@ def find_compiler() -> Compiler:
     for candidate in (wanted,) if wanted else CANDIDATES:
         path = shutil.which(candidate)
         if path:
-            return _identify(path)
+            return _identify(str(Path(path).absolute()))
     missing = f"the compiler {wanted} (from CXX)" if wanted else "a C++ compiler"
     message = f"{missing} is not installed; install the Debian package g++ (12 or newer)"
     raise MissingTool(message)
 
 
 def _identify(path: str) -> Compiler:
+    if "++" not in Path(path).name:
+        # gcc compiles C++ too, but links no C++ library: every submission would seem wrong.
+        message = f"{path} (from CXX) is no C++ compiler; set CXX to g++ or clang++"
+        raise MissingTool(message)
     outcome = launch(Order([path, "--version"], seconds=20.0))
     first = outcome.out.decode(errors="replace").split("\n")[0]
     version = re.search(r"(\d+\.\d+\.\d+)", first)
@@ -56,12 +61,22 @@ def _identify(path: str) -> Compiler:
 
 
 def sanitizer_runtime(compiler: Compiler) -> str:
-    """Path of the shared AddressSanitizer, which must be loaded before Python itself."""
-    name = "libasan.so" if compiler.name == "g++" else "libclang_rt.asan-x86_64.so"
+    """Path of the shared AddressSanitizer, which must be loaded before Python itself.
+
+    Raises:
+        MissingTool: The compiler has none.
+    """
+    major = compiler.version.split(".")[0]
+    gnu = compiler.name == "g++"
+    name = "libasan.so" if gnu else f"libclang_rt.asan-{platform.machine()}.so"
     outcome = launch(Order([compiler.path, f"-print-file-name={name}"], seconds=20.0))
     path = Path(outcome.out.decode(errors="replace").strip())
-    # A compiler that does not have the file answers with the bare name.
-    if outcome.code != 0 or not path.is_absolute():
-        message = f"{compiler.title} has no shared AddressSanitizer ({name}); install it"
+    # A compiler that does not find the file answers with its bare name.
+    if outcome.code != 0 or not path.is_absolute() or not path.exists():
+        package = f"libgcc-{major}-dev" if gnu else f"libclang-rt-{major}-dev"
+        message = (
+            f"{compiler.title} has no shared AddressSanitizer ({name}); install the Debian "
+            f"package {package}, or set CXX to another compiler"
+        )
         raise MissingTool(message)
     return str(path.resolve())

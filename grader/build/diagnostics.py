@@ -16,29 +16,40 @@ _MESSAGE = re.compile(
     r"^(?P<file>[^:\n]{1,200}):(?P<line>\d{1,7}):(?:(?P<column>\d{1,6}):)? "
     r"(?P<severity>fatal error|error|warning|note): (?P<text>.*)$"
 )
-_LINKER = re.compile(r"(?P<text>(multiple definition of|undefined reference to) .*)$")
+_REQUIRED = re.compile(
+    rf"^{re.escape(SOURCE_NAME)}:(\d{{1,7}}):(\d{{1,6}}):   required from here$"
+)
+_LINKER = re.compile(r"(?P<text>(multiple definition of|undefined reference to) [^;]*)")
 
 
 def read_diagnostics(stderr: bytes) -> tuple[Diagnostic, ...]:
-    """Split a compiler's output into messages, the first 40 of them."""
+    """Split a compiler's output into messages: 40 of them, errors before all others."""
     found: list[Diagnostic] = []
+    required = (0, 0)
     for line in stderr.decode("utf-8", errors="replace").split("\n"):
-        diagnostic = _read_line(line[: 2 * MAX_TEXT])
+        place = _REQUIRED.match(line)
+        diagnostic = _read_line(line[: 2 * MAX_TEXT], required)
+        if place:
+            required = int(place[1]), int(place[2])
         if diagnostic:
             found.append(diagnostic)
-        if len(found) == MAX_DIAGNOSTICS:
-            break
-    return tuple(found)
+            required = (0, 0)
+    errors = [each for each in found if each.severity == "error"][:MAX_DIAGNOSTICS]
+    others = [each for each in found if each.severity != "error"]
+    kept = {id(each) for each in errors + others[: MAX_DIAGNOSTICS - len(errors)]}
+    return tuple(each for each in found if id(each) in kept)
 
 
-def _read_line(line: str) -> Diagnostic | None:
+def _read_line(line: str, required: tuple[int, int]) -> Diagnostic | None:
+    """Read one line; `required` is the own place that a message elsewhere is due to."""
     match = _MESSAGE.match(line)
     if match:
         own = match["file"] == SOURCE_NAME
         where = "" if own else f"{match['file'].rsplit('/', 1)[-1]}:{match['line']}: "
+        place = (int(match["line"]), int(match["column"] or 0)) if own else required
         return Diagnostic(
-            line=int(match["line"]) if own else 0,
-            column=int(match["column"] or 0) if own else 0,
+            line=place[0],
+            column=place[1],
             severity="error" if "error" in match["severity"] else match["severity"],
             text=(where + match["text"])[:MAX_TEXT],
         )

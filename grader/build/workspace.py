@@ -22,7 +22,7 @@ from pathlib import Path
 
 from grader import resources
 from grader.build.compiler import Compiler
-from grader.errors import BuildFault
+from grader.errors import BuildFault, MissingTool
 from grader.sandbox.launch import Order, launch
 from grader.tolerances import SMALL_MAX_DEPTH
 
@@ -73,6 +73,7 @@ def workspace(compiler: Compiler, flavour: Flavour) -> Workspace:
 
     Raises:
         BuildFault: Our own framework did not compile; the message has the log.
+        MissingTool: CMake or make is not installed.
     """
     stub = resources.stub_folder()
     folder = resources.cache_folder() / "framework" / _key(stub, compiler, flavour)
@@ -116,11 +117,21 @@ def _compile_framework(stub: Path, folder: Path, compiler: Compiler, flavour: Fl
         target.parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(path, target)
     build = str(folder / "build")
-    configure = ["cmake", "-S", str(copy), "-B", build, "-G", "Unix Makefiles"]
+    cmake, make = _program("cmake"), _program("make")
+    configure = [cmake, "-S", str(copy), "-B", build, "-G", "Unix Makefiles"]
+    configure += [f"-DCMAKE_MAKE_PROGRAM={make}"]
     configure += [f"-DCMAKE_CXX_COMPILER={compiler.path}", *flavour.options]
     _step(configure, compiler)
     if flavour is not GRAPH:
-        _step(["cmake", "--build", build, "--target", "framework", "--parallel", "2"], compiler)
+        _step([cmake, "--build", build, "--target", "framework", "--parallel", "2"], compiler)
+
+
+def _program(name: str) -> str:
+    """Find a program on the caller's path, which our children do not see."""
+    path = shutil.which(name)
+    if path is None:
+        raise MissingTool(f"{name} is not installed; install the Debian package {name}")
+    return path
 
 
 def _precompile(folder: Path, compiler: Compiler) -> None:
