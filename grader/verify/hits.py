@@ -121,10 +121,14 @@ def _repeated(case: RepeatCase) -> Evidence:
 
 
 def _elsewhere(case: RepeatCase) -> Evidence:
-    """Apply the rule of closest hits to the same rays on the other mesh."""
+    """Look for answers of the first mesh on the other one, where they are wrong.
+
+    Whatever else is wrong there is another mistake, and other checks see it.
+    """
     judgement = judge(case.trial.other_answers, case.other.t)
     ray = np.flatnonzero(~judgement.uncounted)
-    wrong = judgement.missed_closer | judgement.no_surface
+    taken_over = np.isfinite(case.first.t) & (case.first.t == case.other.t)
+    wrong = taken_over & (judgement.missed_closer | judgement.no_surface)
 
     def example(k: int) -> Example:
         got = _told(case.other.t[ray[k]])

@@ -8,7 +8,7 @@ import pytest
 from grader.model.cases import HitCase, RepeatCase
 from grader.model.mesh import Bvh, Hits, Mesh, Rays
 from grader.model.trials import RepeatTrial, TraceTrial
-from grader.oracle.brute import answers
+from grader.oracle.brute import answers, chosen
 from grader.oracle.rays import Request, rays_on
 from grader.verify import hits as checks
 from grader.verify.check import Check
@@ -188,7 +188,8 @@ def test_either_face_of_a_shared_edge_lends_its_normal() -> None:
 def repeated(first: Hits, **again: Hits) -> RepeatCase:
     """Make a case in which rays were traced again."""
     mesh, tree = planted("cloud-5")
-    rays = rays_on(Request(1, "cloud-5", False, count=5), mesh, tree).rays
+    drawn = rays_on(Request(1, "cloud-5", False, count=5), mesh, tree).rays
+    rays = chosen(drawn, np.arange(first.t.size))
     found = answers(mesh, rays, tree)
     trial = RepeatTrial("again", mesh, tree, mesh, tree, rays, found)
     return RepeatCase("again", trial, first, tuple(again.items()), trace(mesh, rays, tree))
@@ -227,13 +228,20 @@ def test_the_same_bits_are_the_same() -> None:
 
 def test_a_second_mesh_is_not_answered_from_the_first() -> None:
     """Repeating the same wrong hit is wrong too: on another mesh other faces are there."""
-    case = repeated(three_hits(), again=three_hits())
-    t = np.full(case.other.t.size, 0.125, np.float32)
-    evidence = checks.calls_are_independent.decide(
-        replace(case, other=replace(case.other, t=t))
-    )
+    t = np.full(3, 0.125, np.float32)
+    case = repeated(replace(three_hits(), t=t), again=replace(three_hits(), t=t))
+    taken_over = replace(case, other=replace(case.other, t=t))
+    evidence = checks.calls_are_independent.decide(taken_over)
     assert evidence.wrong == case.other.t.size
     assert " on a second mesh, " in evidence.examples[0].message
+
+
+def test_another_mistake_on_a_second_mesh_is_not_a_matter_of_repetition() -> None:
+    """A wrong hit that is not the first mesh's is what the other checks are for."""
+    t = np.full(3, 0.125, np.float32)
+    case = repeated(three_hits(), again=three_hits())
+    elsewhere = replace(case, other=replace(case.other, t=t))
+    assert checks.calls_are_independent.decide(elsewhere).wrong == 0
 
 
 @pytest.mark.parametrize("check", [*CHECKS, checks.calls_are_independent])
