@@ -1,18 +1,20 @@
 """Which check sees which mistake? Writes and compares the kill matrix.
 
-`python -m tests.submissions.matrix` grades the whole corpus and rewrites `kill-matrix.csv`;
-with `--compare` it only says what differs; `--seed` may be repeated.
+`python -m tests.submissions.matrix` grades the whole corpus and rewrites `kill-matrix.csv`; with
+`--match` it grades some files and writes their rows only; `--seed N`, repeatable, prints what
+another seed says and writes nothing.
 """
 
 import argparse
 import csv
-import io
+import hashlib
 import sys
 from collections.abc import Iterable, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
+from grader.model.stages import PARTS
 from grader.model.verdict import Verdict
 from grader.pipeline import Options, grade_one
 from grader.verify import every_check
@@ -29,6 +31,9 @@ class Row:
 
     name: str
     """Folder and file: `wrong/axis-always-x.cpp`."""
+
+    digest: str
+    """Start of the file's SHA-256: a row says nothing of a file that has changed."""
 
     scores: tuple[float, ...]
     """Points of part a and part b."""
@@ -50,52 +55,65 @@ def row(path: Path, seed: int = SEED) -> Row:
     """Grade one submission of the corpus."""
     grade = grade_one(path, Options(seed, None, (), lambda *_: None))
     return Row(
-        name=f"{path.parent.name}/{path.name}",
+        name=name_of(path),
+        digest=digest_of(path),
         scores=tuple(part.score for part in grade.parts),
         verdicts=tuple((one.check, one.verdict) for one in grade.checks),
     )
 
 
-def matrix_text(rows: Iterable[Row]) -> str:
-    """Word the matrix as CSV: a line a submission, a column a check."""
-    checks = [each.id for each in every_check()]
-    out = io.StringIO()
-    writer = csv.writer(out, lineterminator="\n")
-    writer.writerow(["submission", "a", "b", *checks])
-    for one in rows:
-        letters = {check: LETTERS[verdict] for check, verdict in one.verdicts}
-        scores = [f"{score:g}" for score in one.scores]
-        writer.writerow([one.name, *scores, *(letters.get(check, "") for check in checks)])
-    return out.getvalue()
+def name_of(path: Path) -> str:
+    """Folder and file."""
+    return f"{path.parent.name}/{path.name}"
 
 
-def known_rows() -> dict[str, dict[str, str]]:
+def digest_of(path: Path) -> str:
+    """What ties a row to the file that was graded."""
+    return hashlib.sha256(path.read_bytes()).hexdigest()[:12]
+
+
+def line_of(one: Row) -> dict[str, str]:
+    """Word a row as the matrix stores it: F for a failed check, b for a blocked one."""
+    letters = {check: LETTERS[verdict] for check, verdict in one.verdicts}
+    scores = dict(zip(PARTS, (f"{score:g}" for score in one.scores), strict=True))
+    return {"submission": one.name, "sha256": one.digest, **scores, **letters}
+
+
+def stored_lines() -> dict[str, dict[str, str]]:
     """The stored matrix, by submission."""
+    if not MATRIX.exists():
+        return {}
     with MATRIX.open(newline="") as file:
         return {line["submission"]: line for line in csv.DictReader(file)}
+
+
+def store(lines: Iterable[dict[str, str]]) -> None:
+    """Write the matrix: a line a submission, a column a check."""
+    columns = ["submission", "sha256", *PARTS, *(each.id for each in every_check())]
+    with MATRIX.open("w", newline="") as file:
+        writer = csv.DictWriter(file, columns, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(lines)
 
 
 def main(arguments: Sequence[str]) -> int:
     """Grade everything and write or compare."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--seed", type=int, action="append")
-    parser.add_argument("--compare", action="store_true")
     parser.add_argument("--match", default="", help="only files whose name contains this")
     options = parser.parse_args(arguments)
-    paths = [*right_submissions(), *(wrong.path for wrong in wrong_submissions())]
-    paths = [path for path in paths if options.match in f"{path.parent.name}/{path.name}"]
-    text = ""
+    every = [*right_submissions(), *(wrong.path for wrong in wrong_submissions())]
+    paths = [path for path in every if options.match in name_of(path)]
+    lines = stored_lines()
     for seed in options.seed or [SEED]:
-        rows = []
         with ProcessPoolExecutor(2) as pool:
             for one in pool.map(row, paths, [seed] * len(paths)):
-                rows.append(one)
                 marks = sorted(one.failed) + [f"BROKEN {check}" for check in one.broken]
                 print(seed, one.name, *one.scores, *marks, flush=True)  # noqa: T201 - a script
-        text = matrix_text(rows)
-    if options.compare or options.match:
-        return 0
-    MATRIX.write_text(text)
+                lines[one.name] = line_of(one)
+    if not options.seed:
+        known = {name_of(path) for path in every}
+        store(lines[name] for name in sorted(lines) if name in known)
     return 0
 
 
