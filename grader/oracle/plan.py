@@ -19,6 +19,7 @@ from grader.oracle.altered import altered_trials
 from grader.oracle.brute import NOTHING, answers
 from grader.oracle.bundle import around, beams, stage_for, within
 from grader.oracle.costs import plain_costs
+from grader.oracle.exact import exact_trial, lattice
 from grader.oracle.meshes import TRACED, construct_meshes, depth_mesh, generator
 from grader.oracle.rays import Request
 from grader.oracle.remember import Arrays, digest_of, remember
@@ -53,6 +54,7 @@ SAMPLED = (("cloud-1", 40), ("cloud-5", 40), ("terrain-1200", 60), ("dragon-res4
 a tree that ends with its last used node, one with gaps, a deep one."""
 
 WORK = (("dragon-res4", 1_000), ("dragon-res2", 20_000))
+LATTICES = (0, 2)
 TRIMMED = ("terrain-600", "cloud-5", "soup-degenerate")
 PADDED = ("cloud-37", "parallel-quads")
 """Meshes whose trees come in the other form that the sheet allows for empty slots."""
@@ -95,6 +97,7 @@ def make_plan(seed: int, trees: Trees) -> Plan:
         *_altered(seed, meshes, built),
         *_work_trials(seed, trees),
         *tracing,
+        *_exact_trials(seed, trees),
         *_sampled(tracing),
         *_repeats(seed, meshes, built),
         *image_trials(trees),
@@ -166,6 +169,13 @@ def _remembered_costs(tree: Bvh, rays: Rays) -> tuple[float, float]:
         "mean"
     ].tolist()
     return boxes, triangles
+
+
+def _exact_trials(seed: int, trees: Trees) -> list[TraceTrial]:
+    """Lay out the rays in the planes of boxes: each axis is across one lattice at least."""
+    meshes = [lattice(seed, up) for up in LATTICES]
+    built = zip(LATTICES, meshes, trees(meshes), strict=True)
+    return [exact_trial(seed, up, mesh, tree) for up, mesh, tree in built]
 
 
 def _sampled(tracing: Sequence[TraceTrial]) -> list[TraceTrial]:
