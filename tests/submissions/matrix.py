@@ -1,8 +1,8 @@
 """Which check sees which mistake? Writes and compares the kill matrix.
 
-`python -m tests.submissions.matrix` grades the whole corpus and rewrites `kill-matrix.csv`; with
-`--match` it grades some files and writes their rows only; `--seed N`, repeatable, prints what
-another seed says and writes nothing.
+`python -m tests.submissions.matrix` grades the whole corpus and rewrites `kill-matrix.csv`;
+with `--match` it grades some files and writes their rows only; `--seed N`, repeatable, prints
+what another seed says and writes nothing.
 """
 
 import argparse
