@@ -13,6 +13,7 @@ from grader.model.stages import PARTS, Build, Rejected, Submission
 from grader.model.trials import Trial
 from grader.model.verdict import Evidence, Finding, Verdict
 from grader.oracle.scenes import scenes_sha256
+from grader.sandbox.launch import DROPPED
 from grader.score.points import final_score, score_checks, score_parts
 from grader.selection import Selection
 from grader.tolerances import FACES_PER_LEAF
@@ -38,6 +39,7 @@ class Summary:
         self._begun = time.monotonic()
         self._stages: list[tuple[str, float]] = []
         self._worker_seconds = 0.0
+        self._flooded = 0
 
     @contextmanager
     def stage(self, name: str) -> Iterator[None]:
@@ -75,6 +77,7 @@ class Summary:
         self, given: Submission | Rejected, build: Build | None, trials: Sequence[Trial]
     ) -> Grade:
         """Score what was found."""
+        build = self._remarked(build)
         rubric, checks = self._selection.rubric, self._selection.checks
         started = {part for part in PARTS if part in self._touched} | (
             set(PARTS) - self._untouched
@@ -106,6 +109,7 @@ class Summary:
         """See whether a part still does what the given code does."""
         if isinstance(case, SurvivalCase | MemoryCase):
             self._worker_seconds += case.ending.seconds
+            self._flooded += DROPPED.decode() in case.ending.output
         elif isinstance(case, TreeCase) and len(case.trial.mesh.faces) > FACES_PER_LEAF:
             split = shape(case.bvh).inner.size > 0
             (self._touched if split else self._untouched).add("a")
@@ -113,6 +117,14 @@ class Summary:
             every_face = case.triangle_tests >= len(case.trial.mesh.faces)
             given_loop = case.box_tests == 0 and every_face
             (self._untouched if given_loop else self._touched).add("b")
+
+    def _remarked(self, build: Build | None) -> Build | None:
+        """Add what is worth knowing of the run and costs nothing."""
+        if build is None or not self._flooded:
+            return build
+        limit = self._selection.rubric.limits.output_kib
+        text = f"it prints more than {limit} KiB in one run; the rest was dropped"
+        return replace(build, remarks=(text,))
 
     def _provenance(self, build: Build | None) -> Provenance:
         return Provenance(

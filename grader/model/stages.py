@@ -78,6 +78,8 @@ class Build:
 
     flags: tuple[str, ...]
     seconds: float
+    remarks: tuple[str, ...] = ()
+    """What is worth knowing of the runs of this build, and costs nothing."""
 
 
 class Stop(Enum):

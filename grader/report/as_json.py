@@ -115,7 +115,10 @@ def build(grade: Grade) -> Json:
     if isinstance(grade.submission, Rejected):
         said = [diagnostic(Diagnostic(0, 0, "error", grade.submission.reason))]
         return {"ok": False, "diagnostics": said, "seconds": None}
-    said = [] if made is None else [diagnostic(one) for one in made.diagnostics]
+    remarks = () if made is None else made.remarks
+    notes = [Diagnostic(line=0, column=0, severity="note", text=text) for text in remarks]
+    given = () if made is None else made.diagnostics
+    said = [diagnostic(one) for one in (*given, *notes)]
     return {"ok": compiled(made), "diagnostics": said, "seconds": None}
 
 

@@ -163,6 +163,8 @@ def footer(sheet: Sheet, grade: Grade, occasion: Occasion) -> None:
         sheet.say(
             "This run was not isolated: the submission could do what you can do.", "yellow"
         )
+    for remark in () if grade.build is None else grade.build.remarks:
+        sheet.say(f"Note: {one_line(remark)}.", "yellow")
     if occasion.written is not None:
         where = one_line(str(occasion.written))
         sheet.lines.append(Text.assemble(("result  ", "dim"), where))

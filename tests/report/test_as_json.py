@@ -209,3 +209,16 @@ def test_verdicts_are_the_contract_s_words() -> None:
     """The enumeration and the schema agree."""
     allowed = SCHEMA["$defs"]["check"]["properties"]["verdict"]["enum"]
     assert allowed == [verdict.value for verdict in Verdict]
+
+
+def test_a_remark_on_the_run_is_a_note() -> None:
+    """What a submission did while running, and what costs nothing, stands with the build."""
+    grade = samples.perfect()
+    assert grade.build is not None
+    told = to_json(replace(grade, build=replace(grade.build, remarks=("it prints a lot",))))
+    assert told["build"]["diagnostics"][-1] == {
+        "line": 0,
+        "column": 0,
+        "severity": "note",
+        "text": "it prints a lot",
+    }
