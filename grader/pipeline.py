@@ -1,6 +1,7 @@
 """How does one path become one grade? The stages of the grader, in order."""
 
 import tempfile
+import time
 from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
@@ -49,7 +50,7 @@ def grade_one(path: Path, options: Options) -> Grade:
         return summary.grade(submission, None, ())
     with tempfile.TemporaryDirectory(prefix="bvhgrade-") as folder:
         with summary.stage("build and plan"):
-            build, plan, solution = _prepare(submission, Path(folder), options.seed)
+            build, plan, solution = _prepare(submission, Path(folder), options.seed, summary)
         summary.examine(_build_cases(build))
         if build.library is None:
             return summary.grade(submission, build, ())
@@ -65,12 +66,16 @@ def grade_one(path: Path, options: Options) -> Grade:
         return summary.grade(submission, build, (*trials, *further))
 
 
-def _prepare(submission: Submission, folder: Path, seed: int) -> tuple[Build, Plan, Solution]:
+def _prepare(
+    submission: Submission, folder: Path, seed: int, summary: Summary
+) -> tuple[Build, Plan, Solution]:
     """Compile the submission while the plan of its trials is made."""
     with ThreadPoolExecutor(1) as aside:
         building = aside.submit(compile_submission, submission, folder)
+        started = time.monotonic()
         solution = Solution()
         plan = make_plan(seed, solution.trees)
+        summary.plan_seconds = time.monotonic() - started
         return building.result(), plan, solution
 
 

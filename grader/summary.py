@@ -40,6 +40,8 @@ class Summary:
         self._stages: list[tuple[str, float]] = []
         self._worker_seconds = 0.0
         self._flooded = 0
+        self.plan_seconds = 0.0
+        """Wall seconds that the plan of the trials took."""
 
     @contextmanager
     def stage(self, name: str) -> Iterator[None]:
@@ -144,7 +146,7 @@ class Summary:
         return Timing(
             compile=compile_seconds,
             submission=self._worker_seconds,
-            grader=max(0.0, total - compile_seconds - self._worker_seconds),
+            grader=self.plan_seconds + sum(self._examiner.seconds.values()),
             total=total,
             stages=tuple(self._stages),
         )

@@ -122,6 +122,8 @@ class Timing:
     """Sum of the workers' wall time."""
 
     grader: float
+    """The plan of the trials and all checks; stages overlap, so they add up to more than total."""
+
     total: float
     stages: tuple[tuple[str, float], ...]
     """Name and wall seconds of each stage of the pipeline."""
