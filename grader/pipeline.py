@@ -10,17 +10,21 @@ from pathlib import Path
 from grader.build.compile import compile_submission
 from grader.build.compiler import find_compiler, sanitizer_runtime
 from grader.intake.locate import locate
-from grader.model.cases import BuildCase, Case, DepthCase, SourceCase, TreeCase, WorkCase
+from grader.model.cases import BuildCase, Case, DepthCase, SourceCase, WorkCase
 from grader.model.grade import Grade, Rubric
 from grader.model.stages import Build, Rejected, Submission
-from grader.model.trials import AlteredTrial, ImageTrial, Trial, WorkTrial
+from grader.model.trials import AlteredTrial, ConstructTrial, ImageTrial, Trial, WorkTrial
 from grader.oracle.plan import Plan, depth_trial, make_plan
 from grader.run.session import Engine
-from grader.run.trials import HUGE_MESH, LARGE_MESH, Budget, Engines, part_of, run_trials
+from grader.run.trials import LARGE_MESH, Budget, Engines, part_of, run_trials
 from grader.selection import select
 from grader.solution import Solution
 from grader.summary import Progress, Summary
 from grader.verify.structure import ends_at_the_limit
+
+
+LARGE_PICTURE = 100_000
+"""A mesh of more faces is not tried where `intersect` has been seen to test most of them."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,7 +58,7 @@ def grade_one(path: Path, options: Options) -> Grade:
         summary.examine(_build_cases(build))
         if build.library is None:
             return summary.grade(submission, build, ())
-        trials = selection.useful(plan.trials)
+        trials = selection.useful([_as_read(trial, selection.rubric) for trial in plan.trials])
         summary.broken(plan.faults)
         with summary.stage("run and verify"):
             run = _Run(build, solution, selection.rubric, options)
@@ -106,15 +110,22 @@ def _waves(trials: Sequence[Trial]) -> tuple[list[Trial], list[Trial]]:
     return first, [trial for trial in trials if trial.name not in chosen]
 
 
+def _as_read(trial: Trial, rubric: Rubric) -> Trial:
+    """Tell the trials of part a which reading of the sheet the rubric takes."""
+    if isinstance(trial, ConstructTrial) and rubric.leaf_rule == "full-levels":
+        return replace(trial, full_levels=True)
+    return trial
+
+
 def _hopeful(trial: Trial, summary: Summary) -> bool:
     """Tell whether a trial of part b can still earn something in bearable time.
 
     Without the tree nothing in part b counts; and where most triangles are tested for every
-    ray, a picture of a large mesh takes hours.
+    ray, a large mesh takes hours.
     """
     if summary.closed("work.uses-the-tree"):
         return False
-    large = isinstance(trial, ImageTrial) and len(trial.mesh.faces) > HUGE_MESH // 2
+    large = isinstance(trial, ImageTrial | WorkTrial) and len(trial.mesh.faces) > LARGE_PICTURE
     return not (large and summary.failed("work.excludes-most-triangles"))
 
 
@@ -145,8 +156,6 @@ class _Run:
                     self.small_depths.append(case)
                 elif isinstance(case, WorkCase):
                     yield replace(case, reference_cpu_seconds=reference[case.name])
-                elif isinstance(case, TreeCase) and self._rubric.leaf_rule == "full-levels":
-                    yield replace(case, full_levels=True)
                 else:
                     yield case
 

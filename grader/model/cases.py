@@ -42,8 +42,6 @@ class TreeCase:
     name: str
     trial: ConstructTrial
     bvh: Bvh
-    full_levels: bool = False
-    """Whether the rubric also accepts trees that stop at the last full level."""
 
 
 @dataclass(frozen=True, slots=True)

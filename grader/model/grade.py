@@ -122,7 +122,7 @@ class Timing:
     """Sum of the workers' wall time."""
 
     grader: float
-    """The plan of the trials and all checks; stages overlap, so they add up to more than total."""
+    """The plan of the trials and all checks; overlaps with the other two."""
 
     total: float
     stages: tuple[tuple[str, float], ...]

@@ -27,6 +27,9 @@ class ConstructTrial:
     sanitized: bool = False
     """Runs the build with sanitizers, whose depth limit is `SMALL_MAX_DEPTH`."""
 
+    full_levels: bool = False
+    """Whether the rubric also accepts trees that stop at the last full level."""
+
 
 @dataclass(frozen=True, slots=True)
 class RebuildTrial:

@@ -94,7 +94,7 @@ def record_is_complete(case: HitCase) -> Evidence:
 
 @check(RepeatCase, "hits.calls-are-independent", needs=USES_THE_TREE)
 def calls_are_independent(case: RepeatCase) -> Evidence:
-    """The same ray gives the same bits in any order, repeated and from two threads.
+    """The same ray gives the same bits in any order, repeated and from several threads.
 
     Of a miss only t has a meaning. On another mesh the same ray finds that mesh's faces.
     """

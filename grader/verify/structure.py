@@ -20,8 +20,9 @@ def has_faces(trial: ConstructTrial) -> bool:
 
 
 def needs_a_split(trial: ConstructTrial) -> bool:
-    """Tell whether the root of a right tree has children."""
-    return len(trial.mesh.faces) > FACES_PER_LEAF
+    """Tell whether the root of every right tree has children."""
+    allowed = 2 * FACES_PER_LEAF + 1 if trial.full_levels else FACES_PER_LEAF
+    return len(trial.mesh.faces) > allowed
 
 
 def calls_construct(trial: Trial) -> bool:
@@ -131,7 +132,7 @@ def _range(bvh: Bvh, node: int) -> str:
 def leaves_hold_at_most_four(case: TreeCase) -> Evidence:
     """A node is split if and only if it holds more than four faces."""
     bvh, form = case.bvh, shape(case.bvh)
-    if case.full_levels and _stops_at_a_full_level(case):
+    if case.trial.full_levels and _stops_at_a_full_level(case):
         return one(None)
     held = bvh.end[form.reached].astype(np.int64) - bvh.begin[form.reached]
     split = np.isin(form.reached, form.inner, assume_unique=True)

@@ -144,7 +144,7 @@ def changed(bvh: Bvh, field: str, where: tuple[int, ...] | int, value: float) ->
 
 def tree_case(mesh: Mesh, bvh: Bvh, full_levels: bool = False) -> TreeCase:
     """Make the case that the checks of part a look at."""
-    return TreeCase("mesh", ConstructTrial("mesh", mesh), bvh, full_levels)
+    return TreeCase("mesh", ConstructTrial("mesh", mesh, full_levels=full_levels), bvh)
 
 
 def findings(*cases: Case) -> dict[str, Finding]:

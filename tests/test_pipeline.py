@@ -1,0 +1,128 @@
+"""One path becomes one grade: the same one every time, and never a traceback."""
+
+import json
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import pytest
+
+from grader.errors import UsageError
+from grader.model.grade import Grade
+from grader.model.verdict import Verdict
+from grader.oracle.plan import make_plan
+from grader.pipeline import Options, grade_one
+from grader.report.as_json import schema_text, to_json
+from grader.resources import reference_source, stub_folder
+from grader.selection import select
+from grader.solution import Solution
+from grader.verify import every_check
+from grader.verify.planned import planned_cases
+from tests.submissions.corpus import HERE
+
+
+def graded(path: Path, *only: str, rubric: Path | None = None) -> Grade:
+    """Grade a path with the default seed."""
+    return grade_one(path, Options(41, rubric, only, lambda *_: None))
+
+
+@cache
+def reference() -> Grade:
+    """Grade the reference once for all tests of this file."""
+    return graded(reference_source())
+
+
+def comparable(grade: Grade) -> dict[str, Any]:
+    """Leave out of a result what the contract lets differ between two runs."""
+    result = to_json(grade)
+    del result["timing"]
+    del result["provenance"]["cpu"]
+    return result
+
+
+def test_the_reference_earns_everything() -> None:
+    """50 of 50, nothing withheld, and the result says that it was not isolated."""
+    grade = reference()
+    assert [part.score for part in grade.parts] == [25, 25]
+    assert grade.score == grade.max_score == 50
+    assert not grade.needs_review
+    assert grade.provenance.isolation == "none"
+
+
+def test_two_runs_give_the_same_result() -> None:
+    """Only timing and the processor's name may differ; and the result fits the schema."""
+    first, second = comparable(reference()), comparable(graded(reference_source()))
+    assert first == second
+    jsonschema.validate(to_json(reference()), json.loads(schema_text()))
+
+
+def test_the_reference_is_examined_in_every_planned_case() -> None:
+    """What the plan promises is what a right submission gives each check to look at."""
+    trials = make_plan(41, Solution().trees).trials
+    planned = planned_cases(every_check(), trials)
+    seen = {score.check: len(score.cases) for score in reference().checks}
+    assert seen == planned
+    assert all(score.examined > 0 for score in reference().checks)
+
+
+def test_every_need_and_every_criterion_is_a_check() -> None:
+    """A misspelt id would silently take a guard away."""
+    checks = every_check()
+    ids = {each.id for each in checks}
+    assert len(ids) == len(checks)
+    assert {need for each in checks for need in each.needs} <= ids
+    assert {one.check for one in select(None, ()).rubric.criteria} == ids
+
+
+def test_the_starter_scores_nothing_and_is_not_blamed() -> None:
+    """Both parts are not started; no check fails but the one that shows it."""
+    grade = graded(stub_folder() / "src" / "exercise03.cpp")
+    assert grade.score == 0
+    assert [part.started for part in grade.parts] == [False, False]
+    assert all(score.verdict is not Verdict.BROKEN for score in grade.checks)
+
+
+def test_a_file_that_does_not_compile_blocks_the_rest() -> None:
+    """build.compiles fails with the student's line; everything else waits for it."""
+    grade = graded(HERE / "wrong" / "missing-semicolon.cpp")
+    (first, *rest) = grade.checks
+    assert (first.check, first.verdict) == ("build.compiles", Verdict.FAIL)
+    assert first.message.startswith("1 of 1 wrong, first in `build`: line ")
+    assert {score.verdict for score in rest} == {Verdict.BLOCKED}
+    assert (grade.score, grade.needs_review) == (0, False)
+
+
+@pytest.mark.parametrize("name", ["nothing.cpp", "utf16.cpp"])
+def test_what_is_no_source_is_rejected(tmp_path: Path, name: str) -> None:
+    """An empty file and UTF-16 earn 0 points and a sentence, not a traceback."""
+    content = b"" if name == "nothing.cpp" else "int x;".encode("utf-16")
+    (tmp_path / name).write_bytes(content)
+    grade = graded(tmp_path / name)
+    assert (grade.score, grade.build, grade.needs_review) == (0, None, False)
+    jsonschema.validate(to_json(grade), json.loads(schema_text()))
+
+
+def test_only_the_asked_checks_are_scored() -> None:
+    """`--only` leaves the other criteria out, and runs what the asked one needs."""
+    grade = graded(reference_source(), "bvh.boxes-are-tight")
+    scored = {score.check: score.verdict for score in grade.checks if score.max_score}
+    assert scored == {"bvh.boxes-are-tight": Verdict.PASS}
+    assert grade.max_score == 4
+
+
+def test_an_unknown_check_names_its_neighbours() -> None:
+    """The sentence says what was asked and what there is instead."""
+    with pytest.raises(UsageError, match=r"bvh\.boxes-are-tite.*bvh\.boxes-are-tight"):
+        graded(reference_source(), "bvh.boxes-are-tite")
+
+
+def test_the_reading_full_levels_accepts_leaves_of_nine(tmp_path: Path) -> None:
+    """A tree that stops at the last full level is right under the other reading only."""
+    rubric = tmp_path / "rubric.toml"
+    shipped = Path(__file__).parents[1] / "grader" / "score" / "rubric.toml"
+    text = shipped.read_text()
+    assert 'leaf_rule = "sheet"' in text
+    rubric.write_text(text.replace('leaf_rule = "sheet"', 'leaf_rule = "full-levels"'))
+    grade = graded(HERE / "wrong" / "stops-at-last-full-level.cpp", rubric=rubric)
+    assert grade.parts[0].score == 25, [one for one in grade.checks if one.message]
