@@ -22,7 +22,6 @@ from grader.solution import Solution
 from grader.summary import Progress, Summary
 from grader.verify.structure import ends_at_the_limit
 
-
 LARGE_PICTURE = 100_000
 """A mesh of more faces is not tried where `intersect` has been seen to test most of them."""
 

@@ -19,12 +19,12 @@ ANYTHING = b"*"
 MAX_CALLS = 200_000
 """A textbook solution has about 1,000; more than this is cut."""
 
-_FUNCTION = re.compile(rb'^\s*\.type\s+"?([\w.$]{1,4096})"?,\s*[@%]function')
-_LABEL = re.compile(rb'^"?([\w.$]{1,4096})"?:')
-_NAME = re.compile(rb"[A-Za-z_][\w.$]{1,4096}")
+_FUNCTION = re.compile(rb'^\s*\.type\s+"?([\w.$\x80-\xff]{1,4096})"?,\s*[@%]function')
+_LABEL = re.compile(rb'^"?([\w.$\x80-\xff]{1,4096})"?:')
+_NAME = re.compile(rb"[A-Za-z_\x80-\xff][\w.$\x80-\xff]{1,4096}")
 _CALL = re.compile(rb"^(call|jmp|bl?$|b[lr]+$)")
 _POINTER_CALL = re.compile(rb"^(call\w*\s+\*|blr\s)")
-_TABLE = re.compile(rb"^\.(?:quad|xword|8byte)\s+([\w.$]{1,4096})")
+_TABLE = re.compile(rb"^\.(?:quad|xword|8byte)\s+([\w.$\x80-\xff]{1,4096})")
 _FILE = re.compile(rb'^\s*\.file\s+(\d+)\s+(?:"[^"\n]*"\s+)?"([^"\n]*)"')
 _LINE = re.compile(rb"^\s*\.loc\s+(\d+)\s+(\d{1,7})\b")
 
@@ -81,4 +81,4 @@ def _called(caller: bytes, row: bytes, functions: set[bytes]) -> list[tuple[byte
 
 
 def _text(name: bytes) -> str:
-    return name.decode("ascii", errors="replace")
+    return name.decode("utf-8", errors="backslashreplace")

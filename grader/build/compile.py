@@ -16,7 +16,8 @@ from grader.sandbox.launch import Order, Outcome, launch
 COMPILE_SECONDS = 60.0
 LINK_SECONDS = 30.0
 KEPT_OUTPUT = 64 << 10
-PLAIN_MESSAGES = ("-fdiagnostics-color=never",)
+PLAIN_MESSAGES = ("-fdiagnostics-color=never", "-fmax-errors=20")
+"""More errors teach nothing new, and every name that is not known is compared with all others."""
 
 
 @dataclass(frozen=True, slots=True)

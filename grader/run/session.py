@@ -28,12 +28,12 @@ SANITIZER_ENVIRONMENT = {
 
 _FINDINGS = (
     # Memory that there is not is no memory error, and an abort without more is no finding.
-    re.compile(r"ERROR: AddressSanitizer: (?!ABRT|out of memory|allocation-size)([\w-]+)"),
+    re.compile(r"ERROR: AddressSanitizer: (?!ABRT|out of |allocat)([\w-]+)"),
     re.compile(r"runtime error: (.{1,200})"),
     re.compile(r"(Assertion '.{1,120}') failed"),
 )
 _EXHAUSTED = re.compile(
-    r"AddressSanitizer: (out of memory|allocation-size-too-big|hard rss limit exhausted)"
+    r"AddressSanitizer: (.*out of memory|allocation-size-too-big|hard rss limit exhausted)"
 )
 _OWN_LINE = re.compile(r"src/exercise03\.cpp:(\d{1,7})")
 
