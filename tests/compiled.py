@@ -4,8 +4,11 @@ from hashlib import sha256
 from pathlib import Path
 
 from grader import resources
-from grader.build.compile import compile_reference, compile_submission
-from grader.model.stages import Build, Submission
+from grader.build.compile import call_graph, compile_reference, compile_submission
+from grader.build.compiler import find_compiler
+from grader.build.diagnostics import SOURCE_NAME
+from grader.build.workspace import GRAPH, workspace
+from grader.model.stages import Build, CallGraph, Submission
 
 BEGIN = '#include "bvh.h"\n#include "intersection.h"\n#include "mesh.h"\n'
 """Three lines; a test's own source begins in line 4."""
@@ -29,3 +32,12 @@ def whole_build(source: str, folder: Path) -> Build:
 def library_of(source: str, folder: Path) -> Path:
     """Build the graded library only, of a source that must compile."""
     return compile_reference(submission_of(source), folder / "graded")
+
+
+def graph_of(source: str, folder: Path) -> CallGraph:
+    """Read the call graph only, of a source that must compile."""
+    (folder / SOURCE_NAME).parent.mkdir()
+    (folder / SOURCE_NAME).write_text(source)
+    graph = call_graph(workspace(find_compiler(), GRAPH), folder)
+    assert graph
+    return graph

@@ -17,7 +17,7 @@ COMPILE_SECONDS = 60.0
 LINK_SECONDS = 30.0
 KEPT_OUTPUT = 64 << 10
 PLAIN_MESSAGES = ("-fdiagnostics-color=never", "-fmax-errors=20")
-"""More errors teach nothing new, and every name that is not known is compared with all others."""
+"""More errors teach nothing new, and each unknown name is compared with all known ones."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +49,7 @@ def compile_submission(submission: Submission, folder: Path) -> Build:
         frameworks = list(pool.map(lambda each: workspace(compiler, each), flavours))
         plain = pool.submit(_link, frameworks[0], folder, GRADED)
         sanitized = pool.submit(_link, frameworks[1], folder, SANITIZED)
-        graph = pool.submit(_call_graph, frameworks[2], folder)
+        graph = pool.submit(call_graph, frameworks[2], folder)
     linked = plain.result()
     return Build(
         library=linked.library,
@@ -125,10 +125,10 @@ def _messages(outcome: Outcome, doing: str, seconds: float) -> tuple[Diagnostic,
     return (*found, Diagnostic(0, 0, "error", text))
 
 
-def _call_graph(framework: Workspace, folder: Path) -> CallGraph | None:
+def call_graph(framework: Workspace, folder: Path) -> CallGraph | None:
     """Ask the front end who calls whom; None if it does not get through the file."""
     result = folder / "graph.s"
-    step = [*framework.compile_command, "-S", SOURCE_NAME, "-o", str(result)]
+    step = [*framework.compile_command, *PLAIN_MESSAGES, "-S", SOURCE_NAME, "-o", str(result)]
     outcome = launch(Order(step, COMPILE_SECONDS, KEPT_OUTPUT, folder))
     if outcome.code != 0 or not result.is_file():
         return None

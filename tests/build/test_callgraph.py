@@ -1,0 +1,97 @@
+"""Call graphs of assembly texts that are written by hand."""
+
+import pytest
+
+from grader.build import callgraph
+from grader.build.callgraph import read_assembly
+
+GNU = """
+\t.file\t"exercise03.cpp"
+\t.type\t_ZL4growi, @function
+_ZL4growi:
+.LFB1:
+\t.file 1 "src/exercise03.cpp"
+\t.loc 1 7 1
+\tpushq\t%rbp
+\t.loc 1 8 1
+\tcall\t_ZL4growi
+\tcall\t_ZN4AABB6extendERK7Point3D@PLT
+\t.size\t_ZL4growi, .-_ZL4growi
+\t.type\t_ZL5tableB0, @object
+_ZL5tableB0:
+\t.quad\t_ZL4growi
+\t.quad\t_ZL5other
+\t.size\t_ZL5tableB0, 16
+\t.type\tmain, @function
+main:
+\t.file 2 "/usr/include/c++/12/bits/stl_algo.h"
+\t.loc 2 99 1
+\tleaq\t_ZL4growi(%rip), %rax
+\tcall\t*%rax
+\tcall\tmemcpy@PLT
+\tjmp\t_ZL4growi
+\t.size\tmain, .-main
+"""
+
+CLANG = """
+\t.type\t_ZL4growi,@function
+_ZL4growi:                        # @_ZL4growi
+\t.file\t1 "/tmp/x" "src/exercise03.cpp"
+\t.loc\t1 7 0                     # src/exercise03.cpp:7:0
+\tcallq\t_ZL4growi
+\tcallq\t_ZN4AABB6extendERK7Point3D@PLT
+\t.size\t_ZL4growi, .Lfunc_end0-_ZL4growi
+\t.type\tmain,@function
+main:                             # @main
+\tmovq\t_ZL4growi@GOTPCREL(%rip), %rax
+\tcallq\t*%rax
+\tcallq\t_ZL4growi
+"""
+
+
+def calls(text: str) -> set[tuple[str, str]]:
+    """Read the calls of a text."""
+    return {(call.caller, call.callee) for call in read_assembly(text.encode()).calls}
+
+
+@pytest.mark.parametrize("text", [GNU, CLANG], ids=["g++", "clang++"])
+def test_direct_calls_and_pointers_are_listed(text: str) -> None:
+    """A call, a tail call, and a function whose address is taken, which anything may call."""
+    assert {
+        ("_ZL4growi", "_ZL4growi"),
+        ("_ZL4growi", "_ZN4AABB6extendERK7Point3D"),
+        ("main", "_ZL4growi"),
+        ("main", "*"),
+        ("*", "_ZL4growi"),
+    } == calls(text)
+
+
+@pytest.mark.parametrize("text", [GNU, CLANG], ids=["g++", "clang++"])
+def test_functions_have_their_first_own_line(text: str) -> None:
+    """Lines of other files are not the student's."""
+    assert read_assembly(text.encode()).lines == (("_ZL4growi", 7),)
+
+
+@pytest.mark.parametrize("quote", ["", '"'])
+def test_names_beyond_ascii_stay_apart(quote: str) -> None:
+    """Two functions whose names differ only in an umlaut are two functions."""
+    a, o = (f"{quote}_ZL2{letter}i{quote}" for letter in "äö")
+    types = f"\t.type\t{a}, @function\n\t.type\t{o}, @function\n"
+    text = f"{types}{a}:\n\tcall\t{o}\n\t.size\t{a}, 1\n{o}:\n\tret\n\t.size\t{o}, 1\n"
+    assert calls(text) == {("_ZL2äi", "_ZL2öi")}
+
+
+@pytest.mark.parametrize(
+    "raw", [b"", b"\xff" * 99, b"\t.type\t\xff\xfe, @function\n\xff\xfe:\n\tcall\t\xff\xfe\n"]
+)
+def test_bytes_that_are_no_text_break_nothing(raw: bytes) -> None:
+    """Names are compared, not understood."""
+    graph = read_assembly(raw)
+    assert all(call.caller.isprintable() for call in graph.calls)
+
+
+def test_a_huge_text_is_cut(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Beyond a number of calls no more are listed."""
+    monkeypatch.setattr(callgraph, "MAX_CALLS", 10)
+    body = "".join(f"\tcall\t_Z{k}v\n" for k in range(1000))
+    assert len(calls(f"\t.type\tmain, @function\nmain:\n{body}")) == 10

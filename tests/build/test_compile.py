@@ -1,0 +1,260 @@
+"""Sources that compile, and sources that do not, with every compiler that is installed here."""
+
+from collections.abc import Callable
+from functools import cache as once
+from pathlib import Path
+
+import pytest
+
+from grader.build.compiler import find_compiler, sanitizer_runtime
+from grader.model.cases import SourceCase
+from grader.model.stages import Build, Diagnostic, Stop
+from grader.model.verdict import Verdict
+from grader.run.job import Job
+from grader.run.protocol import Op
+from grader.run.requests import give_mesh
+from grader.run.session import Engine, run_job
+from grader.verify.source import construct_loops
+from tests.compiled import BEGIN, CONSTRUCT, INTERSECT, STARTER, graph_of, whole_build
+from tests.verify.builder import findings, soup
+
+COMPILERS = ("g++", "clang++")
+Compile = Callable[..., Build]
+
+
+@pytest.fixture(scope="session")
+def compiled(cache: Path, tmp_path_factory: pytest.TempPathFactory) -> Compile:
+    """Give a function that builds a source once with a compiler."""
+
+    @once
+    def build(source: str, compiler: str = "g++") -> Build:
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setenv("CXX", compiler)
+            return whole_build(source, tmp_path_factory.mktemp("build"))
+
+    return build
+
+
+def errors(build: Build) -> list[Diagnostic]:
+    """Pick the errors of a build that failed."""
+    assert (build.library, build.sanitized, build.calls) == (None, None, None)
+    return [each for each in build.diagnostics if each.severity == "error"]
+
+
+def test_the_given_file_compiles(compiled: Compile) -> None:
+    """Both libraries and the call graph are there, and what they were made with is told."""
+    build = compiled(STARTER.read_text())
+    assert build.library
+    assert build.sanitized
+    assert build.calls
+    assert build.diagnostics == ()
+    assert build.compiler.startswith("g++ ")
+    assert {"-O3", "-std=c++20", "-ffp-contract=off"} <= set(build.flags)
+    assert not [flag for flag in build.flags if "/" in flag]
+
+
+def test_one_function_is_enough_to_link(compiled: Compile) -> None:
+    """A stand-in takes the place of the one that is not written yet."""
+    assert compiled(BEGIN + INTERSECT).library
+
+
+def test_warnings_cost_nothing_and_are_shown(compiled: Compile) -> None:
+    """A file with warnings is built, and the warnings have the student's lines."""
+    build = compiled(BEGIN + CONSTRUCT + INTERSECT + "void f() { int unused; }\n")
+    assert build.library
+    assert [(each.line, each.severity) for each in build.diagnostics] == [(6, "warning")]
+
+
+@pytest.mark.parametrize("compiler", COMPILERS)
+def test_an_error_has_the_students_line(compiled: Compile, compiler: str) -> None:
+    """Line and column count in the file as it was handed in."""
+    first, *_ = errors(compiled(BEGIN + INTERSECT + "\n\n  int x = y;\n", compiler))
+    assert (first.line, first.column) == (7, 11)
+    assert "y" in first.text
+
+
+def test_an_error_inside_the_library_has_the_students_line(compiled: Compile) -> None:
+    """What a wrong comparator causes deep in a header is placed where it was passed."""
+    sort = "void f() { std::vector<int> v; std::sort(v.begin(), v.end(), 7); }\n"
+    assert 4 in {each.line for each in errors(compiled(BEGIN + sort))}
+
+
+def test_a_directive_can_only_rename_lines(compiled: Compile) -> None:
+    """After `#line` the compiler speaks of another file; no folder of it is shown."""
+    (error, *_) = errors(compiled(BEGIN + '#line 5 "/home/x/secret.cpp"\nint x = y;\n'))
+    assert (error.line, error.text.split(":")[:2]) == (0, ["secret.cpp", "5"])
+
+
+@pytest.mark.parametrize("compiler", COMPILERS)
+def test_a_given_function_cannot_be_replaced(compiled: Compile, compiler: str) -> None:
+    """A second definition is an error of the linker that names the function and no folder."""
+    again = "Vector3D AABB::extents() const { return {}; }\n"
+    (error, *_) = errors(compiled(BEGIN + CONSTRUCT + INTERSECT + again, compiler))
+    assert error.text.startswith("link: multiple definition of ")
+    assert "AABB::extents() const" in error.text
+    assert "/" not in error.text
+
+
+def test_a_function_that_is_nowhere_is_named(compiled: Compile) -> None:
+    """A declaration without a definition does not link."""
+    source = "void helper(int);\nvoid BVH::construct(const Mesh&) { helper(1); }\n"
+    (error, *_) = errors(compiled(BEGIN + source + INTERSECT))
+    assert error.text.startswith("link: undefined reference to ")
+    assert "helper(int)" in error.text
+
+
+@pytest.mark.parametrize(
+    "source", ["", "\0", "#include __FILE__\n", "#error <b>\x1b[31m</b>\n"]
+)
+def test_strange_files_are_values(compiled: Compile, source: str) -> None:
+    """Empty, binary, endless and hostile files either compile or have an error."""
+    build = compiled(source)
+    assert build.library or errors(build)
+
+
+FLOOD = """
+template <int N> struct Deep { static int f() { return undeclared_##N + Deep<N - 1>::f(); } };
+#define A(x) int a##x = nothing_##x; int b##x = nothing_##x; int c##x = nothing_##x;
+#define B(x) A(x##0) A(x##1) A(x##2) A(x##3) A(x##4) A(x##5) A(x##6) A(x##7) A(x##8) A(x##9)
+#define C(x) B(x##0) B(x##1) B(x##2) B(x##3) B(x##4) B(x##5) B(x##6) B(x##7) B(x##8) B(x##9)
+C(1) C(2) C(3) C(4) C(5) C(6) C(7) C(8) C(9)
+"""
+
+
+def test_a_flood_of_errors_is_cut(compiled: Compile) -> None:
+    """Of thousands of errors the first forty are shown."""
+    found = errors(compiled(BEGIN + FLOOD))
+    assert 1 <= len(found) <= 40
+
+
+@pytest.mark.parametrize("compiler", COMPILERS)
+def test_libraries_of_every_compiler_run(compiled: Compile, compiler: str) -> None:
+    """The graded and the sanitized library load, construct, and show a mistake."""
+    wrong = """void BVH::construct(const Mesh& mesh) {
+    nodes.resize(1);
+    if (mesh.getFaces().size() == 9) nodes.data()[1].facesEnd = 1;
+}
+"""
+    build = compiled(BEGIN + wrong + INTERSECT, compiler)
+    assert build.library
+    assert build.sanitized
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("CXX", compiler)
+        runtime = sanitizer_runtime(find_compiler())
+    engines = (Engine(build.library, 2048, 65536), Engine(build.sanitized, 0, 65536, runtime))
+    for faces in (5, 9):
+        for engine in engines:
+            job = Job()
+            slot = give_mesh(job, soup(faces))
+            job.do(Op.CONSTRUCT, slot, slot)
+            ending, _ = run_job(job, engine, 60.0)
+            if engine.preload:
+                assert ending.finding == ("heap-buffer-overflow" if faces == 9 else ""), ending
+                assert ending.line == (6 if faces == 9 else 0)
+            elif faces == 5:
+                assert ending.stop is Stop.FINISHED, ending
+
+
+def test_a_file_that_insists_on_the_real_depth_is_sanitized(compiled: Compile) -> None:
+    """A static assertion on the depth limit is no reason to lose the memory checks."""
+    insists = "static_assert(BVH::maxDepth == 20);\n"
+    build = compiled(BEGIN + insists + CONSTRUCT + INTERSECT)
+    assert build.library
+    assert build.sanitized
+
+
+HEAD = BEGIN + "#include <functional>\n" + INTERSECT
+GROW = "nodes.push_back(Node{mesh.getBounds(), 0, 0});"
+OPEN = f"void BVH::construct(const Mesh& mesh) {{ {GROW} faceIndices.resize(9); "
+
+RECURSIVE = {
+    "construct itself": OPEN + "if (nodes.size() < 9) construct(mesh); }",
+    "a function": """static void grow(std::vector<BVH::Node>& nodes, int depth) {
+        nodes.push_back({}); if (depth) grow(nodes, depth - 1); }
+        """ + OPEN + "grow(nodes, 3); }",
+    "two functions in turns": """struct State { std::vector<BVH::Node>& nodes; };
+        static void right(State& s, int d);
+        static void left(State& s, int d) { s.nodes.push_back({}); if (d) right(s, d - 1); }
+        static void right(State& s, int d) { if (d) left(s, d - 1); }
+        """ + OPEN + "State s{nodes}; left(s, 3); }",
+    "std::function": OPEN + """std::function<void(uint32_t)> split = [&](uint32_t i) {
+        nodes.push_back({}); if (i) split(i - 1); }; split(3); }""",
+    "a generic lambda": OPEN + """auto split = [&](auto& self, uint32_t i) -> void {
+        nodes.push_back({}); if (i) self(self, i - 1); }; split(split, 3); }""",
+    "a function named ä": """static void ä(std::vector<BVH::Node>& n, int d) {
+        n.push_back({}); if (d) ä(n, d - 1); }
+        """ + OPEN + "ä(nodes, 3); }",
+}  # fmt: skip
+
+SORT = """static void quicksort(uint32_t* a, uint32_t* b, const Mesh& mesh, int axis) {
+    if (b - a < 2) return;
+    uint32_t* m = std::partition(a, b, [&](uint32_t f) {
+        return mesh.getTriangleFromFaceIndex(f).v1[axis] < 0; });
+    quicksort(a, m, mesh, axis); quicksort(m, b, mesh, axis); }
+"""
+
+LOOPS = {
+    "overloads": """static AABB boxOf(const Triangle& t) { AABB b; b.extend(t.v1); return b; }
+        static AABB boxOf(const Mesh& m, uint32_t f) {
+            return boxOf(m.getTriangleFromFaceIndex(f)); }
+        """ + OPEN + "nodes[0].bounds = boxOf(mesh, 0); }",
+    "a recursive quicksort": SORT + OPEN + """
+        quicksort(faceIndices.data(), faceIndices.data() + 9, mesh, 0); }""",
+    "a recursive template for a comparator beside nodes": """
+        template <class Less> void quicksort(uint32_t* a, uint32_t* b, Less less) {
+            if (b - a < 2) return;
+            uint32_t* m = std::partition(a, b, [&](uint32_t f) { return less(f, *a); });
+            quicksort(a, m, less); quicksort(m + (m == a), b, less); }
+        static void split(BVH::Node& node, const Mesh& mesh, uint32_t* a) {
+            node.facesEnd = 3;
+            quicksort(a, a + 9, [&](uint32_t f, uint32_t g) {
+                return mesh.getTriangleFromFaceIndex(f).v1.x
+                     < mesh.getTriangleFromFaceIndex(g).v1.x; }); }
+        """ + OPEN + "split(nodes[0], mesh, faceIndices.data()); }",
+    "function objects that use each other": OPEN + """
+        std::function<float(uint32_t)> x = [&](uint32_t f) {
+            return mesh.getTriangleFromFaceIndex(f).v1.x; };
+        std::function<AABB(uint32_t)> box = [&](uint32_t f) {
+            AABB b; b.min.x = x(f); b.extend(mesh.getTriangleFromFaceIndex(f).v1); return b; };
+        nodes[0].bounds = box(0); }""",
+    "function objects of one signature": OPEN + """
+        std::function<void(uint32_t)> one = [&](uint32_t i) { nodes[i].facesEnd = 3; };
+        std::function<void(uint32_t)> two = [&](uint32_t i) { nodes.push_back({}); one(i); };
+        two(0); }""",
+    "functions named ä and ö": """static void ä(BVH::Node& n) { n.facesEnd = 3; }
+        static void ö(BVH::Node& n) { ä(n); }
+        """ + OPEN + "ö(nodes[0]); }",
+    "a comparator by pointer": """static bool less(uint32_t a, uint32_t b) { return a < b; }
+        """ + OPEN + "std::sort(faceIndices.begin(), faceIndices.end(), less); }",
+    "a queue, a stack and output": OPEN + """std::queue<Node> q; q.push(nodes[0]);
+        std::stack<uint32_t> s; s.push(1); std::cout << s.top() << q.size() << std::endl; }""",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("compiler", COMPILERS)
+@pytest.mark.usefixtures("cache")
+def test_real_call_graphs_tell_loops_from_recursion(
+    compiler: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Recursion is found with its line however it is written, and no loop is taken for one."""
+    monkeypatch.setenv("CXX", compiler)
+    for expected, sources in ((Verdict.FAIL, RECURSIVE), (Verdict.PASS, LOOPS)):
+        for name, source in sources.items():
+            folder = tmp_path / str(len(list(tmp_path.iterdir())))
+            folder.mkdir()
+            case = SourceCase("source", graph_of(HEAD + source + "\n", folder))
+            found = findings(case)["source.construct-loops"]
+            assert found.verdict is expected, (name, found)
+            assert (found.evidence.line >= 6) == (expected is Verdict.FAIL), (name, found)
+
+
+def test_recursion_of_intersect_is_allowed(compiled: Compile) -> None:
+    """The sheet forbids recursion only in construct."""
+    walk = """static void visit(const BVH& bvh, size_t i) {
+    if (i < bvh.getNodes().size()) visit(bvh, 2 * i + 1); }
+Intersection intersect(const Mesh& mesh, const IntersectionRay&) {
+    visit(mesh.getBVH(), 0); return {}; }
+"""
+    build = compiled(BEGIN + walk + CONSTRUCT)
+    assert build.calls
+    assert construct_loops.decide(SourceCase("source", build.calls)).wrong == 0
