@@ -1,4 +1,4 @@
-// expect: bvh.is-readable
+// expect: bvh.survives-every-mesh
 // untouched: b
 // mistake: construct is not defined, only intersect is.
 #include "bvh.h"
