@@ -67,12 +67,11 @@ def test_every_kind_of_case_is_delivered() -> None:
 
 
 def test_the_build_and_the_source_are_looked_at_once() -> None:
-    """Without any trial two checks have one case each."""
+    """Without any trial nothing was compiled, so that there are no calls to look at."""
     planned = planned_cases(every_check(), ())
-    assert {id for id, count in planned.items() if count} == {
-        "build.compiles",
-        "source.construct-loops",
-    }
+    assert {id: count for id, count in planned.items() if count} == {"build.compiles": 1}
+    planned = planned_cases(every_check(), [construct(9)])
+    assert (planned["build.compiles"], planned["source.construct-loops"]) == (1, 1)
 
 
 @pytest.mark.parametrize(
