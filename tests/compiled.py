@@ -7,7 +7,7 @@ from grader import resources
 from grader.build.compile import call_graph, compile_reference, compile_submission
 from grader.build.compiler import find_compiler
 from grader.build.diagnostics import SOURCE_NAME
-from grader.build.workspace import GRAPH, workspace
+from grader.build.workspace import GRADED, workspace
 from grader.model.stages import Build, CallGraph, Submission
 
 BEGIN = '#include "bvh.h"\n#include "intersection.h"\n#include "mesh.h"\n'
@@ -38,6 +38,6 @@ def graph_of(source: str, folder: Path) -> CallGraph:
     """Read the call graph only, of a source that must compile."""
     (folder / SOURCE_NAME).parent.mkdir()
     (folder / SOURCE_NAME).write_text(source)
-    graph = call_graph(workspace(find_compiler(), GRAPH), folder)
+    graph = call_graph(workspace(find_compiler(), GRADED), folder)
     assert graph
     return graph

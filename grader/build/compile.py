@@ -8,7 +8,7 @@ from pathlib import Path
 from grader.build.callgraph import read_assembly
 from grader.build.compiler import find_compiler
 from grader.build.diagnostics import SOURCE_NAME, read_diagnostics
-from grader.build.workspace import GRADED, GRAPH, SANITIZED, Flavour, Workspace, workspace
+from grader.build.workspace import GRADED, SANITIZED, Flavour, Workspace, workspace
 from grader.errors import BuildFault
 from grader.model.stages import Build, CallGraph, Diagnostic, Submission
 from grader.sandbox.launch import Order, Outcome, launch
@@ -45,11 +45,11 @@ def compile_submission(submission: Submission, folder: Path) -> Build:
     source.parent.mkdir(parents=True)
     source.write_bytes(submission.source)
     with ThreadPoolExecutor(2) as pool:
-        flavours = (GRADED, SANITIZED, GRAPH)
+        flavours = (GRADED, SANITIZED)
         frameworks = list(pool.map(lambda each: workspace(compiler, each), flavours))
         plain = pool.submit(_link, frameworks[0], folder, GRADED)
         sanitized = pool.submit(_link, frameworks[1], folder, SANITIZED)
-        graph = pool.submit(call_graph, frameworks[2], folder)
+        graph = pool.submit(call_graph, frameworks[0], folder)
     linked = plain.result()
     return Build(
         library=linked.library,
@@ -128,7 +128,7 @@ def _messages(outcome: Outcome, doing: str, seconds: float) -> tuple[Diagnostic,
 def call_graph(framework: Workspace, folder: Path) -> CallGraph | None:
     """Ask the front end who calls whom; None if it does not get through the file."""
     result = folder / "graph.s"
-    step = [*framework.compile_command, *PLAIN_MESSAGES, "-S", SOURCE_NAME, "-o", str(result)]
+    step = [*framework.graph_command, *PLAIN_MESSAGES, "-S", SOURCE_NAME, "-o", str(result)]
     outcome = launch(Order(step, COMPILE_SECONDS, KEPT_OUTPUT, folder))
     if outcome.code != 0 or not result.is_file():
         return None

@@ -26,12 +26,13 @@ from grader.errors import BuildFault, MissingTool
 from grader.sandbox.launch import Order, launch
 from grader.tolerances import SMALL_MAX_DEPTH
 
-LAYOUT = 4
+LAYOUT = 5
 """Changes when this file builds something else from the same stub."""
 
 FRAMEWORK_SECONDS = 300.0
 PLACEHOLDER = "src/exercise03.cpp"
 STANDARD_HEADERS = "standard.h"
+GRAPH_HEADERS = "standard-graph.h"
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,9 +44,6 @@ class Flavour:
 
 
 GRADED = Flavour("graded", ("-DCMAKE_BUILD_TYPE=Release",))
-GRAPH = Flavour("graph", ("-DCMAKE_BUILD_TYPE=None", "-DCMAKE_CXX_FLAGS=-O0 -g1 -w"))
-"""Not optimised, so that the call graph holds every call; nothing of it is ever run."""
-
 SANITIZED = Flavour(
     "sanitized",
     (
@@ -63,6 +61,9 @@ class Workspace:
 
     compile_command: tuple[str, ...]
     """Compiler and flags, without source, output and `-c`."""
+
+    graph_command: tuple[str, ...]
+    """The same without optimisation, so that the call graph holds every call; never run."""
 
     link_command: tuple[str, ...]
     """Compiler, flags and the framework's objects, without the submission and the output."""
@@ -82,7 +83,7 @@ def workspace(compiler: Compiler, flavour: Flavour) -> Workspace:
         if not stamp.exists():
             shutil.rmtree(folder, ignore_errors=True)
             _compile_framework(stub, folder, compiler, flavour)
-            _precompile(folder, compiler)
+            _precompile(folder, compiler, flavour)
             stamp.touch()
     return _read_commands(folder)
 
@@ -120,10 +121,9 @@ def _compile_framework(stub: Path, folder: Path, compiler: Compiler, flavour: Fl
     cmake, make = _program("cmake"), _program("make")
     configure = [cmake, "-S", str(copy), "-B", build, "-G", "Unix Makefiles"]
     configure += [f"-DCMAKE_MAKE_PROGRAM={make}"]
-    configure += [f"-DCMAKE_CXX_COMPILER={compiler.path}", *flavour.options]
-    _step(configure, compiler)
-    if flavour is not GRAPH:
-        _step([cmake, "--build", build, "--target", "framework", "--parallel", "2"], compiler)
+    configure += [f"-DCMAKE_CXX_COMPILER={compiler.path}", "-DEX03_UNITY=ON"]
+    _step([*configure, *flavour.options], compiler)
+    _step([cmake, "--build", build, "--target", "framework"], compiler)
 
 
 def _program(name: str) -> str:
@@ -134,16 +134,20 @@ def _program(name: str) -> str:
     return path
 
 
-def _precompile(folder: Path, compiler: Compiler) -> None:
-    """Precompile the standard headers of common.h with the flags of this flavour."""
+def _precompile(folder: Path, compiler: Compiler, flavour: Flavour) -> None:
+    """Precompile the standard headers of common.h, once for each way to use this flavour."""
     common = (folder / "stub" / "include" / "common.h").read_text()
     names = [line for line in common.splitlines() if line.startswith("#include <")]
-    command = _read_commands(folder).compile_command
-    header = folder / STANDARD_HEADERS
-    header.write_text("\n".join(names) + "\n")
+    plain = _read_commands(folder)
+    ways = {STANDARD_HEADERS: plain.compile_command}
+    if flavour is GRADED:
+        ways[GRAPH_HEADERS] = plain.graph_command
     ending = ".gch" if compiler.name == "g++" else ".pch"
-    output = header.with_suffix(f".h{ending}")
-    _step([*command, "-x", "c++-header", str(header), "-o", str(output)], compiler)
+    for name, command in ways.items():
+        header = folder / name
+        header.write_text("\n".join(names) + "\n")
+        output = header.with_suffix(f".h{ending}")
+        _step([*command, "-x", "c++-header", str(header), "-o", str(output)], compiler)
 
 
 def _step(command: Sequence[str], compiler: Compiler) -> None:
@@ -161,9 +165,8 @@ def _read_commands(folder: Path) -> Workspace:
     mine = next(entry for entry in commands if entry["file"] == source)
     words = shlex.split(mine["command"])
     object_name = words[words.index("-o") + 1]
-    compile_command = [word for word in words if word not in ("-c", "-o", object_name, source)]
-    if (folder / STANDARD_HEADERS).exists():
-        compile_command += ["-include", str(folder / STANDARD_HEADERS)]
+    plain = [word for word in words if word not in ("-c", "-o", object_name, source)]
+    graph = [word for word in plain if not word.startswith("-O")] + ["-O0", "-g1", "-w"]
     link = shlex.split((build / "CMakeFiles/exercise03.dir/link.txt").read_text())
     library = link[link.index("-o") + 1]
     objects = [
@@ -171,4 +174,12 @@ def _read_commands(folder: Path) -> Workspace:
         for word in link
         if word not in ("-o", library, object_name)
     ]
-    return Workspace(tuple(compile_command), tuple(objects))
+    return Workspace(
+        compile_command=(*plain, *_included(folder / STANDARD_HEADERS)),
+        graph_command=(*graph, *_included(folder / GRAPH_HEADERS)),
+        link_command=tuple(objects),
+    )
+
+
+def _included(header: Path) -> tuple[str, ...]:
+    return ("-include", str(header)) if header.exists() else ()
