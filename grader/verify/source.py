@@ -44,7 +44,7 @@ def construct_loops(case: SourceCase) -> Evidence:
     called = _reachable(callees, (CONSTRUCT,)) | {CONSTRUCT}
     builders = _reachable(_reverse(callees), filter(_speaks_of_nodes, _names(callees)))
     for name in sorted(_in_cycles(callees) & called):
-        if not STANDARD.match(name) and (name in builders or _speaks_of_nodes(name)):
+        if name in builders and not STANDARD.match(name):
             line = dict(case.graph.lines).get(name, 0)
             where = f"line {line}" if line else "a function that construct calls"
             text = f"{where}: this function calls itself, but construct must use a loop"

@@ -201,8 +201,38 @@ def test_only_the_named_descriptors_are_open() -> None:
 
 
 def test_there_is_nothing_to_read() -> None:
-    """Standard input is empty, so that nobody waits for a key."""
-    assert python("import sys; print(repr(sys.stdin.read()))").out == b"''\n"
+    """Standard input is empty, whatever lies in ours, so that nobody waits for a key."""
+    ours, (reading, writing) = os.dup(0), os.pipe()
+    os.write(writing, b"for us")
+    os.dup2(reading, 0)
+    try:
+        assert python("import sys; print(repr(sys.stdin.read()))").out == b"''\n"
+    finally:
+        os.dup2(ours, 0)
+        for each in (ours, reading, writing):
+            os.close(each)
+
+
+def test_what_never_ends_is_not_read_to_its_end() -> None:
+    """After the child's death no more is read than a pipe can hold."""
+
+    class Endless(module._Stream):
+        """A pipe into which someone writes as fast as it is read."""
+
+        reads = 0
+
+        def __init__(self) -> None:
+            pass
+
+        def drain(self) -> int:
+            """Find a full pipe again."""
+            self.reads += 1
+            assert self.reads < 1000
+            return module.CHUNK
+
+    stream = Endless()
+    module._drain_all(stream)
+    assert stream.reads * module.CHUNK == module.PIPE_LIMIT
 
 
 def test_the_child_runs_where_it_is_told(tmp_path: Path) -> None:

@@ -146,3 +146,11 @@ def test_full_levels_is_no_excuse_for_splitting_small_nodes(faces: int) -> None:
     uneven: Bvh = build(soup(faces), Reading(leaf=2))
     found = findings(tree_case(soup(faces), uneven, full_levels=True))
     assert found["bvh.leaves-hold-at-most-four"].verdict is Verdict.FAIL
+
+
+@pytest.mark.parametrize(("faces", "leaf"), [(33, 8), (37, 37), (10, 10), (64, 32)])
+def test_full_levels_is_no_excuse_for_stopping_anywhere(faces: int, leaf: int) -> None:
+    """Leaves on two levels, and leaves of more than nine faces, are wrong by both readings."""
+    mesh = soup(faces)
+    case = tree_case(mesh, build(mesh, Reading(leaf=leaf)), full_levels=True)
+    assert findings(case)["bvh.leaves-hold-at-most-four"].verdict is Verdict.FAIL

@@ -65,6 +65,12 @@ def test_only_touching_ranges_partition(
     assert shape(tree_of((0, 9), left, right)).parted.tolist() == [parted, False, False]
 
 
+def test_an_empty_half_is_no_part() -> None:
+    """Neither child of a partition is empty, on either side."""
+    assert not shape(tree_of((4, 9), (4, 4), (4, 9))).parted.any()
+    assert not shape(tree_of((4, 9), (4, 9), (9, 9))).parted.any()
+
+
 @pytest.mark.parametrize("shuffled", [False, True])
 @pytest.mark.parametrize("leaf", [1, 4, 37])
 def test_spans_are_those_of_a_loop(leaf: int, shuffled: bool) -> None:
