@@ -22,7 +22,9 @@ def tiny_stub(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         (stub / name).mkdir(parents=True)
     for path in (real / "CMakeLists.txt", *(real / "src").glob("*.cpp"), *real.glob("*/*.cpp")):
         target = stub / path.relative_to(real)
-        target.write_text(path.read_text() if path.suffix == ".txt" else "static_assert(true);\n")
+        target.write_text(
+            path.read_text() if path.suffix == ".txt" else "static_assert(true);\n"
+        )
     (stub / "include" / "common.h").write_text("#include <cstdint>\n")
     monkeypatch.setattr(resources, "stub_folder", lambda: stub)
     monkeypatch.setenv("BVHGRADE_CACHE", str(tmp_path / "cache"))
