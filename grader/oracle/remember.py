@@ -29,15 +29,20 @@ DIGEST = hashlib.sha256().digest_size
 
 
 def digest_of(*parts: object) -> str:
+    """Hash the oracle's source and, as `hash_of` does, anything else."""
+    return hash_of(_own_source(), *parts).hex()
+
+
+def hash_of(*parts: object) -> bytes:
     """Hash arrays, with their shape and type, and anything with a `repr` that tells it all."""
-    digest = hashlib.sha256(_own_source())
+    digest = hashlib.sha256()
     for part in parts:
         if isinstance(part, np.ndarray):
             digest.update(f"{part.dtype.str}{part.shape}".encode())
             digest.update(np.ascontiguousarray(part).data)
         else:
             digest.update(f"|{part!r}|".encode())
-    return digest.hexdigest()
+    return digest.digest()
 
 
 def remember(key: str, compute: Callable[[], Arrays]) -> Arrays:
@@ -58,6 +63,29 @@ def remember(key: str, compute: Callable[[], Arrays]) -> Arrays:
     return arrays
 
 
+def sealed(arrays: Arrays, compress: bool = False) -> bytes:
+    """Turn arrays into bytes that `unsealed` can tell from damaged ones.
+
+    Args:
+        arrays: Arrays by name.
+        compress: Deflate them.
+    """
+    body = io.BytesIO()
+    save = np.savez_compressed if compress else np.savez
+    save(body, **dict(arrays))  # type: ignore[arg-type]  # numpy's stub takes no mapping
+    content = body.getvalue()
+    return hashlib.sha256(content).digest() + content
+
+
+def unsealed(content: bytes) -> Arrays | None:
+    """Return the arrays of `sealed`; None if the bytes are not whole."""
+    body = memoryview(content)[DIGEST:]
+    if hashlib.sha256(body).digest() != content[:DIGEST]:
+        return None
+    with np.load(io.BytesIO(body), allow_pickle=False) as stored:
+        return {name: stored[name] for name in stored.files}
+
+
 @cache
 def _own_source() -> bytes:
     """Hash the oracle's source, so that a change in it makes every entry unused."""
@@ -71,29 +99,19 @@ def _own_source() -> bytes:
 def _read(path: Path) -> Arrays | None:
     """Read an entry; None if there is none that is whole."""
     try:
-        content = path.read_bytes()
+        arrays = unsealed(path.read_bytes())
     except OSError:
         return None
-    body = memoryview(content)[DIGEST:]
-    if hashlib.sha256(body).digest() != content[:DIGEST]:
-        return None
-    os.utime(path)
-    arrays: dict[str, npt.NDArray[Any]] = {}
-    with np.load(io.BytesIO(body), allow_pickle=False) as stored:
-        for name in stored.files:
-            arrays[name] = stored[name]
+    if arrays is not None:
+        os.utime(path)
     return arrays
 
 
 def _write(path: Path, arrays: Arrays) -> None:
     """Write an entry in one step; a full disk only costs the entry."""
-    body = io.BytesIO()
-    np.savez(body, **dict(arrays))  # type: ignore[arg-type]  # numpy's stub takes no mapping
-    content = body.getbuffer()
     try:
         with tempfile.NamedTemporaryFile(dir=path.parent, delete=False) as file:
-            file.write(hashlib.sha256(content).digest())
-            file.write(content)
+            file.write(sealed(arrays))
         Path(file.name).replace(path)
     except OSError:
         return

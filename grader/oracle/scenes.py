@@ -3,7 +3,7 @@
 import hashlib
 import tomllib
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -11,19 +11,16 @@ from typing import Any
 import numpy as np
 
 from grader.errors import OracleFault, UsageError
-from grader.model.mesh import Answers, Bvh, Mesh
+from grader.model.mesh import Bvh, Mesh
 from grader.model.scene import Camera, Reference, Scene
 from grader.model.trials import ImageTrial
-from grader.oracle.brute import answers
+from grader.oracle.balanced import balanced_tree
 from grader.oracle.exr import read_reference, write_reference
 from grader.oracle.pictures import require_agreement
 from grader.oracle.procedural import nested_spheres, primitive_grid
-from grader.oracle.remember import digest_of, remember
+from grader.oracle.shipped import computed_answers, picture_answers, write_answers
 from grader.oracle.storage import load_mesh_file, mesh_sha256
 from grader.resources import scenes_folder
-
-SEARCH_MARGIN = 1e-3
-"""How far behind Mitsuba's hit the first search goes, relative to t; decides only its speed."""
 
 GENERATORS: Mapping[str, Callable[[], Mesh]] = {
     "primitive_grid": lambda: primitive_grid(np.random.default_rng(10)),
@@ -117,8 +114,16 @@ def reference_path(name: str) -> Path:
     return scenes_folder() / "references" / f"{name}.exr"
 
 
+def answers_path(name: str) -> Path:
+    """Where the rule's answers of the picture of a scene are stored."""
+    return scenes_folder() / "references" / f"{name}.answers"
+
+
 def scenes_sha256() -> str:
-    """Hash the descriptions, meshes and pictures that a grade depends on."""
+    """Hash the descriptions, meshes and pictures that a grade depends on.
+
+    The stored answers are left out: they follow from the rest.
+    """
     digest = hashlib.sha256()
     names = ["scenes.toml"]
     names += [f"{mesh.name}.npz" for mesh in stored_meshes()]
@@ -151,7 +156,7 @@ def list_scenes() -> tuple[SceneStatus, ...]:
 def render_scenes(
     names: tuple[str, ...], progress: Callable[[str], None]
 ) -> tuple[SceneStatus, ...]:
-    """Render references anew and store them.
+    """Render references anew, and store them with the rule's answers.
 
     Args:
         names: Scenes to render; all if empty.
@@ -160,7 +165,7 @@ def render_scenes(
     Raises:
         UsageError: A name is no scene's.
         MissingTool: Mitsuba is not installed.
-        OutputFault: A picture cannot be written.
+        OutputFault: A picture or its answers cannot be written.
     """
     from grader.oracle.render import render
     from grader.oracle.variant import working_variant
@@ -172,7 +177,28 @@ def render_scenes(
         progress(f"rendering {scene.name}, {scene.width} x {scene.height}, by {variant.name}")
         picture = render(scene, load_mesh(scene.mesh), variant)
         write_reference(reference_path(scene.name), scene, picture)
+    store_answers(tuple(scene.name for scene in chosen), progress)
     return tuple(_status(scene) for scene in chosen)
+
+
+def store_answers(names: tuple[str, ...], progress: Callable[[str], None]) -> None:
+    """Apply the rule to stored references, and store its answers beside them.
+
+    Args:
+        names: Scenes whose answers are stored; all if empty.
+        progress: Gets a line before each slow step.
+
+    Raises:
+        UsageError: A name is no scene's.
+        OracleFault: A mesh or picture is missing, damaged or stale.
+        OutputFault: The answers cannot be written.
+    """
+    for scene in tuple(scene_named(name) for name in names) or scenes():
+        progress(f"answering {scene.name}, {scene.width} x {scene.height}")
+        mesh = load_mesh(scene.mesh)
+        picture = load_reference(scene, mesh)
+        found = computed_answers(mesh, balanced_tree(mesh), picture)
+        write_answers(answers_path(scene.name), picture, found)
 
 
 @cache
@@ -205,7 +231,7 @@ def _scene(table: Mapping[str, Any]) -> Scene:
 def _trial(scene: Scene, mesh: Mesh, tree: Bvh) -> ImageTrial:
     """Prepare one picture."""
     picture = load_reference(scene, mesh)
-    found = _answers(mesh, tree, picture)
+    found = picture_answers(answers_path(scene.name), mesh, tree, picture)
     require_agreement(scene.name, found, picture.t)
     return ImageTrial(
         name=scene.name,
@@ -217,20 +243,6 @@ def _trial(scene: Scene, mesh: Mesh, tree: Bvh) -> ImageTrial:
         answers=found,
         mitsuba_t=picture.t,
     )
-
-
-def _answers(mesh: Mesh, tree: Bvh, picture: Reference) -> Answers:
-    """Apply the rule to each pixel, or remember what came out last time."""
-    behind = picture.t.astype(np.float64) * (1 + SEARCH_MARGIN)
-    rays = picture.rays
-    # The key of a picture covers its mesh; the answers do not depend on the tree.
-    key = digest_of("picture", picture.key, rays.origin, rays.direction, rays.t_min, rays.t_max)
-    return Answers(**remember(key, lambda: _arrays(answers(mesh, rays, tree, behind))))
-
-
-def _arrays(found: Answers) -> dict[str, np.ndarray[Any, Any]]:
-    """Return the fields of a record by name."""
-    return {field.name: getattr(found, field.name) for field in fields(found)}
 
 
 def _status(scene: Scene) -> SceneStatus:

@@ -21,7 +21,7 @@ from grader.model.mesh import Bytes, Indices, Mesh
 def save_mesh(path: Path, mesh: Mesh) -> None:
     """Write a mesh losslessly."""
     columns = np.ascontiguousarray(mesh.vertices.T).view(np.uint32).ravel()
-    np.savez_compressed(path, vertices=_packed(columns), faces=_packed(mesh.faces.ravel()))
+    np.savez_compressed(path, vertices=packed(columns), faces=packed(mesh.faces.ravel()))
 
 
 def load_mesh_file(path: Path) -> Mesh:
@@ -32,7 +32,7 @@ def load_mesh_file(path: Path) -> Mesh:
     """
     try:
         with path.open("rb") as file, np.load(file) as arrays:
-            columns, faces = _unpacked(arrays["vertices"]), _unpacked(arrays["faces"])
+            columns, faces = unpacked(arrays["vertices"]), unpacked(arrays["faces"])
     except (OSError, EOFError, KeyError, ValueError, BadZipFile, zlib.error) as fault:
         message = f"{path.name}: the stored mesh cannot be read ({fault}); restore the file"
         raise OracleFault(message) from fault
@@ -47,15 +47,15 @@ def mesh_sha256(mesh: Mesh) -> str:
     return digest.hexdigest()
 
 
-def _packed(words: Indices) -> Bytes:
+def packed(words: Indices) -> Bytes:
     """Turn 32-bit words into (4, n) bytes of their zigzag coded differences."""
     step = np.diff(words, prepend=np.uint32(0)).view(np.int32)
     coded = ((step << 1) ^ (step >> 31)).astype("<u4")
     return np.ascontiguousarray(coded.view(np.uint8).reshape(-1, 4).T)
 
 
-def _unpacked(planes: Bytes) -> Indices:
-    """Undo `_packed`."""
+def unpacked(planes: Bytes) -> Indices:
+    """Undo `packed`."""
     coded = np.ascontiguousarray(planes.T).view("<u4").ravel().astype(np.uint32)
     step = (coded >> np.uint32(1)) ^ (np.uint32(0) - (coded & np.uint32(1)))
     return np.cumsum(step, dtype=np.uint32)

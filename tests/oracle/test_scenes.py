@@ -13,6 +13,7 @@ from grader.model.scene import NO_FACE, Scene
 from grader.oracle.scenes import (
     GENERATORS,
     StoredMesh,
+    answers_path,
     list_scenes,
     load_mesh,
     load_reference,
@@ -57,7 +58,8 @@ def test_the_readme_tells_every_files_hash() -> None:
     told = (scenes_folder() / "README.md").read_text(encoding="utf-8")
     hashes = dict(re.findall(r"`([\w./-]+)`\W+`([0-9a-f]{64})`", told))
     files = [*(mesh_path(mesh.name) for mesh in stored_meshes())]
-    files += [reference_path(scene.name) for scene in scenes()]
+    for scene in scenes():
+        files += [reference_path(scene.name), answers_path(scene.name)]
     actual = {
         str(path.relative_to(scenes_folder())): hashlib.sha256(path.read_bytes()).hexdigest()
         for path in files
