@@ -94,6 +94,7 @@ def test_a_tree_that_is_too_large_is_cut_and_counted(reference: Engine) -> None:
     back = read(result)
     assert (len(back.end), back.node_count, len(back.order)) == (1024, count, 3)
     assert (back.end == ends[:1024]).all()
+    assert back.order.tolist() == [0, 1, 2]
 
 
 def test_a_rebuild_gives_five_trees_and_both_meshes(reference: Engine) -> None:
