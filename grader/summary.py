@@ -9,10 +9,11 @@ from pathlib import Path
 import grader
 from grader.model.cases import Case, MemoryCase, SurvivalCase, TreeCase, WorkCase
 from grader.model.grade import Grade, Provenance, Timing
-from grader.model.stages import PARTS, Build, Rejected, Submission
+from grader.model.stages import PARTS, Build, Rejected, Stop, Submission
 from grader.model.trials import Trial
 from grader.model.verdict import Evidence, Finding, Verdict
 from grader.oracle.scenes import scenes_sha256
+from grader.run.trials import part_of
 from grader.sandbox.launch import DROPPED
 from grader.score.points import final_score, score_checks, score_parts
 from grader.selection import Selection
@@ -118,6 +119,9 @@ class Summary:
         if isinstance(case, SurvivalCase | MemoryCase):
             self._worker_seconds += case.ending.seconds
             self._flooded += DROPPED.decode() in case.ending.output
+            if case.ending.finding or case.ending.stop is Stop.CRASHED:
+                # The given code does neither, even where a tree is still only its root.
+                self._touched.add(part_of(case.trial))
         elif isinstance(case, TreeCase) and len(case.trial.mesh.faces) > FACES_PER_LEAF:
             split = shape(case.bvh).inner.size > 0
             (self._touched if split else self._untouched).add("a")
