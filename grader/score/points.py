@@ -160,7 +160,8 @@ def _told(of: Tally) -> str:
     wrong = sum(one.evidence.wrong for one in of.failed)
     examined = sum(one.evidence.examined for one in (*of.passed, *of.failed))
     first = of.failed[0]
-    where = f"{wrong:,} of {examined:,} wrong, first in `{first.case}`"
+    counted = f"{wrong:,} of {examined:,} wrong" if wrong else "not shown to be right"
+    where = f"{counted}, first in `{first.case}`"
     examples = first.evidence.examples
     return f"{where}: {examples[0].message}" if examples else where
 
