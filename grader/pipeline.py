@@ -175,9 +175,11 @@ def _engines(build: Build, rubric: Rubric) -> Engines:
     output = rubric.limits.output_kib << 10
     if build.library is None:
         raise AssertionError("there is a library, or nothing is run")
+    runtime = sanitizer_runtime(find_compiler())
+
+    def sanitized(library: Path | None) -> Engine | None:
+        # No limit of the address space: a sanitizer reserves terabytes of it.
+        return Engine(library, 0, output, runtime) if library else None
+
     graded = Engine(build.library, rubric.limits.memory_mib, output)
-    if build.sanitized is None:
-        return Engines(graded, None)
-    return Engines(
-        graded, Engine(build.sanitized, 0, output, sanitizer_runtime(find_compiler()))
-    )
+    return Engines(graded, sanitized(build.sanitized), sanitized(build.deep))

@@ -68,7 +68,7 @@ class Solution:
     def _run(self, trials: Sequence[Trial]) -> list[Case]:
         engine = Engine(self._library, GENEROUS.memory_mib, GENEROUS.output_kib << 10)
         cases: list[Case] = []
-        for delivered in run_trials(trials, Engines(engine, None), Budget(GENEROUS), _silent):
+        for delivered in run_trials(trials, Engines(engine), Budget(GENEROUS), _silent):
             cases += delivered
         for case in cases:
             if isinstance(case, SurvivalCase) and case.ending.stop is not Stop.FINISHED:

@@ -8,7 +8,7 @@ from pathlib import Path
 from grader.build.callgraph import read_assembly
 from grader.build.compiler import find_compiler
 from grader.build.diagnostics import SOURCE_NAME, read_diagnostics
-from grader.build.workspace import GRADED, SANITIZED, Flavour, Workspace, workspace
+from grader.build.workspace import GRADED, SANITIZED, Workspace, workspace
 from grader.errors import BuildFault
 from grader.model.stages import Build, CallGraph, Diagnostic, Submission
 from grader.sandbox.launch import Order, Outcome, launch
@@ -47,16 +47,18 @@ def compile_submission(submission: Submission, folder: Path) -> Build:
     with ThreadPoolExecutor(2) as pool:
         flavours = (GRADED, SANITIZED)
         frameworks = list(pool.map(lambda each: workspace(compiler, each), flavours))
-        plain = pool.submit(_link, frameworks[0], folder, GRADED)
-        sanitized = pool.submit(_link, frameworks[1], folder, SANITIZED)
+        plain = pool.submit(_link, frameworks[0], folder, GRADED.name)
+        sanitized = pool.submit(_link, frameworks[1], folder, SANITIZED.name)
+        deep = pool.submit(_link, _with_real_depth(frameworks[1]), folder, "deep")
         graph = pool.submit(call_graph, frameworks[0], folder)
     linked = plain.result()
+    compiled = linked.library is not None
     return Build(
         library=linked.library,
-        sanitized=_sanitized(sanitized.result(), frameworks[1], folder)
-        if linked.library
-        else None,
-        calls=graph.result() if linked.library else None,
+        # A file may insist on the real depth limit, by static_assert.
+        sanitized=sanitized.result().library or deep.result().library if compiled else None,
+        deep=deep.result().library if compiled else None,
+        calls=graph.result() if compiled else None,
         diagnostics=linked.diagnostics,
         compiler=compiler.title,
         flags=_flags(frameworks[0]),
@@ -64,12 +66,10 @@ def compile_submission(submission: Submission, folder: Path) -> Build:
     )
 
 
-def _sanitized(linked: _Linked, framework: Workspace, folder: Path) -> Path | None:
-    """Build once more with the real depth limit if a file insists on it, by static_assert."""
-    if linked.library is None:
-        real_depth = (*framework.compile_command, "-UEX03_MAX_DEPTH")
-        linked = _link(replace(framework, compile_command=real_depth), folder, SANITIZED)
-    return linked.library
+def _with_real_depth(framework: Workspace) -> Workspace:
+    return replace(
+        framework, compile_command=(*framework.compile_command, "-UEX03_MAX_DEPTH")
+    )
 
 
 def compile_reference(submission: Submission, folder: Path) -> Path:
@@ -81,7 +81,7 @@ def compile_reference(submission: Submission, folder: Path) -> Path:
     source = folder / SOURCE_NAME
     source.parent.mkdir(parents=True)
     source.write_bytes(submission.source)
-    linked = _link(workspace(find_compiler(), GRADED), folder, GRADED)
+    linked = _link(workspace(find_compiler(), GRADED), folder, GRADED.name)
     if linked.library is None:
         message = f"the reference does not compile: {linked.diagnostics[:3]}"
         raise BuildFault(message)
@@ -97,15 +97,15 @@ def _flags(framework: Workspace) -> tuple[str, ...]:
     )
 
 
-def _link(framework: Workspace, folder: Path, flavour: Flavour) -> _Linked:
+def _link(framework: Workspace, folder: Path, name: str) -> _Linked:
     """Compile and link one flavour; whatever goes wrong is the submission's fault."""
-    result = folder / f"{flavour.name}.o"
+    result = folder / f"{name}.o"
     step = [*framework.compile_command, *PLAIN_MESSAGES, "-c", SOURCE_NAME, "-o", str(result)]
     compiled = launch(Order(step, COMPILE_SECONDS, KEPT_OUTPUT, folder))
     messages = _messages(compiled, "compiling", COMPILE_SECONDS)
     if compiled.code != 0:
         return _Linked(None, messages)
-    library = folder / f"{flavour.name}.so"
+    library = folder / f"{name}.so"
     # The submission's object comes first, so that its functions win over the weak stand-ins.
     head, *rest = framework.link_command
     step = [head, str(result), *rest, "-o", str(library)]

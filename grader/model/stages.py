@@ -71,6 +71,9 @@ class Build:
     sanitized: Path | None
     """The same with sanitizers and a small depth limit; None if it could not be made."""
 
+    deep: Path | None
+    """The same with sanitizers and the real depth limit, which trees of part b may need."""
+
     calls: CallGraph | None
     diagnostics: tuple[Diagnostic, ...]
     compiler: str

@@ -109,6 +109,7 @@ class RepeatTrial:
     other_mesh: Mesh
     other_tree: Bvh
     rays: Rays
+    answers: Answers
     other_answers: Answers
     """Of the same rays on the other mesh."""
 

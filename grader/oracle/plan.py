@@ -9,6 +9,7 @@ from grader.model.mesh import Answers, Bvh, Mesh, Rays
 from grader.model.trials import (
     AlteredTrial,
     ConstructTrial,
+    ImageTrial,
     RebuildTrial,
     RepeatTrial,
     TraceTrial,
@@ -16,7 +17,7 @@ from grader.model.trials import (
     WorkTrial,
 )
 from grader.oracle.altered import altered_trials
-from grader.oracle.brute import NOTHING, answers
+from grader.oracle.brute import NOTHING, answers, chosen, nearest
 from grader.oracle.bundle import around, beams, stage_for, within
 from grader.oracle.costs import plain_costs
 from grader.oracle.exact import exact_trial, lattice
@@ -55,6 +56,9 @@ a tree that ends with its last used node, one with gaps, a deep one."""
 
 WORK = (("dragon-res4", 1_000), ("dragon-res2", 20_000))
 LATTICES = (0, 2)
+DEEPEST_STEP = 701
+"""One of so many pixels, not in line with the picture's rows."""
+
 TRIMMED = ("terrain-600", "cloud-5", "soup-degenerate")
 PADDED = ("cloud-37", "parallel-quads")
 """Meshes whose trees come in the other form that the sheet allows for empty slots."""
@@ -92,6 +96,7 @@ def make_plan(seed: int, trees: Trees) -> Plan:
         for special in (False, True)
     ]
     tracing = [each.trial for each in made]
+    pictures = image_trials(trees)
     trials: tuple[Trial, ...] = (
         *_construct_trials(meshes),
         *_altered(seed, meshes, built),
@@ -99,8 +104,9 @@ def make_plan(seed: int, trees: Trees) -> Plan:
         *tracing,
         *_exact_trials(seed, trees),
         *_sampled(tracing),
+        _deepest(pictures),
         *_repeats(seed, meshes, built),
-        *image_trials(trees),
+        *pictures,
     )
     return Plan(trials, tuple((each.trial.name, each.fault) for each in made if each.fault))
 
@@ -188,6 +194,25 @@ def _sampled(tracing: Sequence[TraceTrial]) -> list[TraceTrial]:
     ]
 
 
+def _deepest(pictures: Sequence[ImageTrial]) -> TraceTrial:
+    """Lay out some pixels of the largest picture for the sanitized build: the deepest tree."""
+    picture = max(pictures, key=lambda each: len(each.mesh.faces))
+    rays = chosen(picture.rays, np.arange(0, len(picture.rays.t_min), DEEPEST_STEP))
+    count = len(rays.t_min)
+    return TraceTrial(
+        name=f"{picture.name}, sanitized",
+        mesh=picture.mesh,
+        tree=picture.tree,
+        rays=rays,
+        # A sanitized worker is judged by how it ends, so nobody asks what it should have hit.
+        answers=nearest(NOTHING, count),
+        families=("pixels",),
+        family=np.zeros(count, dtype=np.int64),
+        special=False,
+        sanitized=True,
+    )
+
+
 def _repeats(seed: int, meshes: dict[str, Mesh], built: dict[str, Bvh]) -> list[RepeatTrial]:
     """Lay out the trials that ask the same again, on the same and on another mesh."""
     trials = []
@@ -201,6 +226,7 @@ def _repeats(seed: int, meshes: dict[str, Mesh], built: dict[str, Bvh]) -> list[
                 other_mesh=meshes[other],
                 other_tree=built[other],
                 rays=rays,
+                answers=_remembered_answers(meshes[name], rays, built[name]),
                 other_answers=_remembered_answers(meshes[other], rays, built[other]),
             )
         )

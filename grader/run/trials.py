@@ -31,10 +31,20 @@ PATIENCE = 3
 
 @dataclass(frozen=True, slots=True)
 class Engines:
-    """The two builds of one submission; a missing one leaves out its trials."""
+    """The builds of one submission; a missing one leaves out its trials."""
 
     graded: Engine
-    sanitized: Engine | None
+    sanitized: Engine | None = None
+    """For part a, with a small depth limit."""
+
+    deep: Engine | None = None
+    """For part b, sanitized too, with the real depth limit: trees there are deeper."""
+
+    def of(self, trial: Trial) -> Engine | None:
+        """Choose the build that a trial runs on."""
+        if not is_sanitized(trial):
+            return self.graded
+        return self.sanitized if part_of(trial) == "a" else self.deep
 
 
 def part_of(trial: Trial) -> str:
@@ -85,7 +95,7 @@ def run_trials(
     progress: Callable[[int, int], None],
 ) -> Iterable[tuple[Case, ...]]:
     """Run every trial in a process of its own; yields their cases in the order of `trials`."""
-    runnable = [trial for trial in trials if engines.sanitized or not is_sanitized(trial)]
+    runnable = [trial for trial in trials if engines.of(trial)]
     with ThreadPoolExecutor(min(WORKERS, len(os.sched_getaffinity(0)))) as pool:
         futures = [pool.submit(_run, trial, engines, budget) for trial in runnable]
         try:
@@ -98,7 +108,7 @@ def run_trials(
 
 
 def _run(trial: Trial, engines: Engines, budget: Budget) -> tuple[Case, ...]:
-    engine = engines.sanitized if is_sanitized(trial) else engines.graded
+    engine = engines.of(trial)
     if engine is None:
         return ()
     seconds = budget.seconds(trial)

@@ -121,14 +121,17 @@ def _repeated(case: RepeatCase) -> Evidence:
 
 
 def _elsewhere(case: RepeatCase) -> Evidence:
-    """Look for answers of the first mesh on the other one, where they are wrong.
+    """Look for answers on the other mesh that are wrong because of the first one.
 
-    Whatever else is wrong there is another mistake, and other checks see it.
+    They are if all was right on the first mesh, or if they are the first mesh's own; whatever
+    else is wrong there is another mistake, and other checks see it.
     """
     judgement = judge(case.trial.other_answers, case.other.t)
     ray = np.flatnonzero(~judgement.uncounted)
+    before = judge(case.trial.answers, case.first.t)
+    was_right = not (before.missed_closer | before.no_surface).any()
     taken_over = np.isfinite(case.first.t) & (case.first.t == case.other.t)
-    wrong = taken_over & (judgement.missed_closer | judgement.no_surface)
+    wrong = (judgement.missed_closer | judgement.no_surface) & (taken_over | was_right)
 
     def example(k: int) -> Example:
         got = _told(case.other.t[ray[k]])

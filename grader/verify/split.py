@@ -27,7 +27,10 @@ class Splits(FrozenArrays):
     """(K, 3) float64, largest centre on the left minus smallest on the right, per axis."""
 
     ordered: Mask
-    """(K, 3) bool, True where the left centres come before the right ones, per axis."""
+    """(K, 3) bool, True for the axes that explain the split: left centres before right ones.
+
+    An axis on which all centres agree explains every split, so it counts only if it is longest.
+    """
 
     longest: Mask
     """(K, 3) bool, True for the axes that may count as the longest of the node's box."""
@@ -43,7 +46,8 @@ def splits(mesh: Mesh, bvh: Bvh) -> Splits:
     low, high = true.low[node], true.high[node]
     allowed = SPLIT_ULPS * np.spacing(np.maximum(np.abs(low), np.abs(high)))
     longest = _longest(low, high) | _longest(bvh.low[node], bvh.high[node])
-    return Splits(node, overlap, overlap <= allowed, longest)
+    spread = true.centre_low[node] < true.centre_high[node]
+    return Splits(node, overlap, (overlap <= allowed) & (spread | longest), longest)
 
 
 def _longest(low: Floats, high: Floats) -> Mask:

@@ -80,6 +80,7 @@ TIMING = Timing(
 BUILD = Build(
     library=Path("/cache/submission.so"),
     sanitized=None,
+    deep=None,
     calls=CALLS,
     diagnostics=(),
     compiler="g++ 12.2.0",

@@ -191,7 +191,7 @@ def repeated(first: Hits, **again: Hits) -> RepeatCase:
     drawn = rays_on(Request(1, "cloud-5", False, count=5), mesh, tree).rays
     rays = chosen(drawn, np.arange(first.t.size))
     found = answers(mesh, rays, tree)
-    trial = RepeatTrial("again", mesh, tree, mesh, tree, rays, found)
+    trial = RepeatTrial("again", mesh, tree, mesh, tree, rays, found, found)
     return RepeatCase("again", trial, first, tuple(again.items()), trace(mesh, rays, tree))
 
 

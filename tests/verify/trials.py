@@ -71,6 +71,6 @@ def every_trial() -> tuple[Trial, ...]:
         ),
         AlteredTrial("altered", mesh, tree, RAYS, NOTHING, np.zeros(3, np.bool_), "nothing"),
         WorkTrial("work", mesh, tree, RAYS, 1.0, 1.0),
-        RepeatTrial("repeat", mesh, tree, soup(5), build(soup(5)), RAYS, NOTHING),
+        RepeatTrial("repeat", mesh, tree, soup(5), build(soup(5)), RAYS, NOTHING, NOTHING),
         ImageTrial("image", mesh, tree, 3, 1, RAYS, NOTHING, t),
     )
