@@ -29,7 +29,8 @@ class Splits(FrozenArrays):
     ordered: Mask
     """(K, 3) bool, True for the axes that explain the split: left centres before right ones.
 
-    An axis on which all centres agree explains every split, so it counts only if it is longest.
+    An axis on which all centres agree explains every split: whoever divides a flat mesh along
+    it has the wrong axis, and not the wrong median.
     """
 
     longest: Mask
@@ -46,8 +47,7 @@ def splits(mesh: Mesh, bvh: Bvh) -> Splits:
     low, high = true.low[node], true.high[node]
     allowed = SPLIT_ULPS * np.spacing(np.maximum(np.abs(low), np.abs(high)))
     longest = _longest(low, high) | _longest(bvh.low[node], bvh.high[node])
-    spread = true.centre_low[node] < true.centre_high[node]
-    return Splits(node, overlap, (overlap <= allowed) & (spread | longest), longest)
+    return Splits(node, overlap, overlap <= allowed, longest)
 
 
 def _longest(low: Floats, high: Floats) -> Mask:
