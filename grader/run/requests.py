@@ -34,7 +34,7 @@ from grader.tolerances import FACES_PER_LEAF, MAX_DEPTH, NODE_CAPACITY, SMALL_MA
 
 NODE_BYTES, RAY_BYTES, HIT_BYTES = 32, 32, 28
 THREADS = 4
-ROUNDS = 8
+ROUNDS = 4
 """A race shows only where two threads meet in the same few nanoseconds."""
 
 Read = Callable[[Result, Ending], tuple[Case, ...]]
