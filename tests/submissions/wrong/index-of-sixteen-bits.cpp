@@ -1,4 +1,4 @@
-// expect: hits.closest-wins
+// expect: hits.survives-every-ray
 // untouched: a
 // mistake: Node indices are kept in uint16_t, so nodes from 65536 on are never reached.
 #include "bvh.h"

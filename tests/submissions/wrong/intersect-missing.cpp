@@ -1,4 +1,4 @@
-// expect: work.uses-the-tree
+// expect: hits.survives-every-ray
 // untouched: a
 // mistake: intersect is not defined, only construct is.
 #include "bvh.h"

@@ -1,4 +1,4 @@
-// expect: bvh.rebuild-starts-afresh
+// expect: bvh.survives-every-mesh
 // untouched: b
 // mistake: nodes is not cleared, a second construct leaves the old tree in front.
 #include "bvh.h"

@@ -1,4 +1,4 @@
-// expect: bvh.root-holds-all-faces, bvh.boxes-are-tight
+// expect: bvh.root-holds-all-faces, bvh.splits-the-longest-axis
 // untouched: b
 // mistake: The root never gets a box.
 #include "bvh.h"
