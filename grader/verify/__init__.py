@@ -1,9 +1,19 @@
 """Which checks there are; their order here is the order of every report."""
 
-from grader.verify import bounds, endings, hits, images, source, split, structure, work
+from grader.verify import (
+    bounds,
+    endings,
+    hits,
+    images,
+    rebuild,
+    source,
+    split,
+    structure,
+    work,
+)
 from grader.verify.check import Check
 
-TOPICS = (source, structure, split, bounds, work, hits, endings, images)
+TOPICS = (source, structure, split, bounds, rebuild, work, hits, endings, images)
 
 
 def every_check() -> tuple[Check, ...]:

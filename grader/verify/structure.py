@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from grader.model.cases import DepthCase, RebuildCase, SurvivalCase, TreeCase
+from grader.model.cases import DepthCase, SurvivalCase, TreeCase
 from grader.model.mesh import Bvh, Mesh
 from grader.model.stages import Stop
 from grader.model.trials import ConstructTrial, RebuildTrial, Trial
@@ -194,45 +194,3 @@ def survived(case: SurvivalCase) -> Evidence:
         return one(None)
     example = Example(f"{case.name}: {ending.detail}", "it returns", ending.detail)
     return Evidence(1, 1, (example,), ending.stop, ending.line)
-
-
-@check(RebuildCase, "bvh.rebuild-starts-afresh")
-def rebuild_starts_afresh(case: RebuildCase) -> Evidence:
-    """A second `construct` leaves nothing of the first, and the mesh is not touched."""
-    for name, given, after in case.meshes:
-        if not _same_mesh(given, after):
-            text = f"mesh {name} has changed, but construct may only read it"
-            return one(Example(text, "the mesh as it was", "changed vertices or faces"))
-    fresh = {id(mesh): bvh for _, mesh, bvh in reversed(case.trees[:2])}
-    for label, mesh, bvh in case.trees[2:]:
-        difference = _difference(mesh, fresh[id(mesh)], bvh)
-        if difference:
-            wanted = "the tree that the first call builds"
-            return one(Example(f"{label}: {difference}", wanted, difference))
-    return one(None)
-
-
-def _same_mesh(a: Mesh, b: Mesh) -> bool:
-    return np.array_equal(a.vertices.view(np.uint32), b.vertices.view(np.uint32)) and (
-        np.array_equal(a.faces, b.faces)
-    )
-
-
-def _difference(mesh: Mesh, fresh: Bvh, later: Bvh) -> str:
-    """Say how a later tree differs from a fresh one, `` if only the order of ties does."""
-    flaw = unreadable(mesh, later)
-    if flaw and not unreadable(mesh, fresh):
-        return flaw.message
-    mine, yours = shape(later), shape(fresh)
-    if not np.array_equal(mine.reached, yours.reached):
-        return (
-            f"{mine.reached.size:,} nodes are in use, but {yours.reached.size:,} in a new tree"
-        )
-    used = mine.reached
-    if (later.begin[used] != fresh.begin[used]).any() or (
-        later.end[used] != fresh.end[used]
-    ).any():
-        return "the nodes' ranges are not those of a new tree"
-    if not np.array_equal(np.sort(later.order), np.sort(fresh.order)):
-        return "faceIndices does not hold the same faces as in a new tree"
-    return ""

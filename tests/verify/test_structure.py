@@ -8,10 +8,10 @@ from grader.model.mesh import Bvh, Mesh
 from grader.model.stages import Ending, Stop
 from grader.model.trials import ConstructTrial, RebuildTrial
 from grader.model.verdict import Evidence, Verdict
+from grader.verify.rebuild import rebuild_starts_afresh
 from grader.verify.structure import (
     depth_is_limited,
     face_indices_are_a_permutation,
-    rebuild_starts_afresh,
     root_holds_all_faces,
     survives_every_mesh,
     unreadable,
