@@ -104,7 +104,7 @@ def make_plan(seed: int, trees: Trees) -> Plan:
         *tracing,
         *_exact_trials(seed, trees),
         *_sampled(tracing),
-        _deepest(pictures),
+        *_deepest(pictures),
         *_repeats(seed, meshes, built),
         *pictures,
     )
@@ -194,12 +194,14 @@ def _sampled(tracing: Sequence[TraceTrial]) -> list[TraceTrial]:
     ]
 
 
-def _deepest(pictures: Sequence[ImageTrial]) -> TraceTrial:
+def _deepest(pictures: Sequence[ImageTrial]) -> list[TraceTrial]:
     """Lay out some pixels of the largest picture for the sanitized build: the deepest tree."""
+    if not pictures:
+        return []
     picture = max(pictures, key=lambda each: len(each.mesh.faces))
     rays = chosen(picture.rays, np.arange(0, len(picture.rays.t_min), DEEPEST_STEP))
     count = len(rays.t_min)
-    return TraceTrial(
+    trial = TraceTrial(
         name=f"{picture.name}, sanitized",
         mesh=picture.mesh,
         tree=picture.tree,
@@ -211,6 +213,7 @@ def _deepest(pictures: Sequence[ImageTrial]) -> TraceTrial:
         special=False,
         sanitized=True,
     )
+    return [trial]
 
 
 def _repeats(seed: int, meshes: dict[str, Mesh], built: dict[str, Bvh]) -> list[RepeatTrial]:
