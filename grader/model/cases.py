@@ -64,6 +64,9 @@ class RebuildCase:
     trees: tuple[tuple[str, Mesh, Bvh], ...]
     """What was built, for which mesh, and the tree: `second call, mesh B`."""
 
+    alone: Bvh
+    """The tree of the second mesh from a process that built no other."""
+
     meshes: tuple[tuple[str, Mesh, Mesh], ...]
     """Name, mesh as given and mesh as read back."""
 

@@ -36,9 +36,9 @@ def withheld(grade: Grade) -> frozenset[str]:
 
 
 def not_started(part: PartScore) -> str:
-    """Say that a part still is the given code."""
+    """Say that a part still does what the given code does."""
     function = FUNCTIONS.get(part.part, "the function")
-    return f"Part {part.part} is not started: the given code of {function} is unchanged."
+    return f"Part {part.part} is not started: {function} still does what the given code does."
 
 
 def unstarted(grade: Grade) -> dict[str, str]:

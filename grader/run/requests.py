@@ -1,6 +1,6 @@
 """How each kind of trial becomes a job, and a result becomes the case that checks look at."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -37,14 +37,15 @@ THREADS = 4
 ROUNDS = 4
 """A race shows only where two threads meet in the same few nanoseconds."""
 
-Read = Callable[[Result, Ending], tuple[Case, ...]]
+Read = Callable[[Sequence[Result], Ending], tuple[Case, ...]]
+"""Makes cases from the results of all jobs and the ending of the last worker."""
 
 
 @dataclass(frozen=True, slots=True)
 class Request:
-    """A job, and how to read its result."""
+    """The jobs of a trial, each for a process of its own, and how to read their results."""
 
-    job: Job
+    jobs: tuple[Job, ...]
     read: Read
 
 
@@ -148,16 +149,20 @@ def _construct(trial: ConstructTrial) -> Request:
     max_depth = SMALL_MAX_DEPTH if trial.sanitized else MAX_DEPTH
     limited = len(trial.mesh.faces) > FACES_PER_LEAF << max_depth
 
-    def read(result: Result, _: Ending) -> tuple[Case, ...]:
+    def read(results: Sequence[Result], _: Ending) -> tuple[Case, ...]:
+        (result,) = results
         if limited:
             return (DepthCase(trial.name, trial, tree(result), max_depth),)
         return () if trial.sanitized else (TreeCase(trial.name, trial, tree(result)),)
 
-    return Request(job, read)
+    return Request((job,), read)
 
 
 def _rebuild(trial: RebuildTrial) -> Request:
-    """A, B, A into one tree while another one, of B, is alive; then both meshes are read."""
+    """A, B, A into one tree while another one, of B, is alive; then both meshes are read.
+
+    A second process builds B alone, to tell what is left over from what is always so.
+    """
     job = Job()
     first, second = give_mesh(job, trial.first), give_mesh(job, trial.second)
     again, other = job.make(Op.TREE), job.make(Op.TREE)
@@ -176,18 +181,25 @@ def _rebuild(trial: RebuildTrial) -> Request:
         for label, mesh, slot in (("A", trial.first, first), ("B", trial.second, second))
     ]
 
-    def read(result: Result, _: Ending) -> tuple[Case, ...]:
+    alone = Job()
+    slot = give_mesh(alone, trial.second)
+    alone.do(Op.CONSTRUCT, slot, slot)
+    untouched = read_tree(alone, slot, trial.second)
+
+    def read(results: Sequence[Result], _: Ending) -> tuple[Case, ...]:
+        result, fresh = results
         trees = tuple((label, mesh, tree(result)) for label, mesh, tree in readers)
         return (
             RebuildCase(
                 trial.name,
                 trial,
                 trees,
+                untouched(fresh),
                 tuple((label, mesh, back(result)) for label, mesh, back in meshes),
             ),
         )
 
-    return Request(job, read)
+    return Request((job, alone), read)
 
 
 def _read_mesh(job: Job, slot: int, mesh: Mesh) -> Callable[[Result], Mesh]:
@@ -217,7 +229,8 @@ def _trace(trial: TraceTrial | AlteredTrial | ImageTrial) -> Request:
     job = Job()
     hits = trace(job, _on_tree(job, trial.mesh, trial.tree), trial.rays)
 
-    def read(result: Result, _: Ending) -> tuple[Case, ...]:
+    def read(results: Sequence[Result], _: Ending) -> tuple[Case, ...]:
+        (result,) = results
         (found,) = hits(result).hits
         match trial:
             case TraceTrial():
@@ -226,20 +239,21 @@ def _trace(trial: TraceTrial | AlteredTrial | ImageTrial) -> Request:
                 return (AlteredCase(trial.name, trial, found),)
         return (ImageCase(trial.name, trial, found),)
 
-    return Request(job, read)
+    return Request((job,), read)
 
 
 def _work(trial: WorkTrial) -> Request:
     job = Job()
     traced = trace(job, _on_tree(job, trial.mesh, trial.tree), trial.rays)
 
-    def read(result: Result, ending: Ending) -> tuple[Case, ...]:
+    def read(results: Sequence[Result], ending: Ending) -> tuple[Case, ...]:
+        (result,) = results
         found = traced(result)
         boxes, triangles = found.tests
         seconds = ending.cpu_seconds
         return (WorkCase(trial.name, trial, found.hits[0], boxes, triangles, seconds, seconds),)
 
-    return Request(job, read)
+    return Request((job,), read)
 
 
 def _repeat(trial: RepeatTrial) -> Request:
@@ -255,7 +269,8 @@ def _repeat(trial: RepeatTrial) -> Request:
     after = trace(job, slot, rays)
     together = [trace(job, slot, rays, THREADS) for _ in range(ROUNDS)]
 
-    def read(result: Result, _: Ending) -> tuple[Case, ...]:
+    def read(results: Sequence[Result], _: Ending) -> tuple[Case, ...]:
+        (result,) = results
         repeats = [
             ("in reverse order", _reversed_hits(backwards(result).hits[0])),
             ("a second time", again(result).hits[0]),
@@ -269,7 +284,7 @@ def _repeat(trial: RepeatTrial) -> Request:
         begun, other_hits = first(result).hits[0], elsewhere(result).hits[0]
         return (RepeatCase(trial.name, trial, begun, tuple(repeats), other_hits),)
 
-    return Request(job, read)
+    return Request((job,), read)
 
 
 def _reversed(rays: Rays) -> Rays:

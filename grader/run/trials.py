@@ -116,10 +116,14 @@ def _run(trial: Trial, engines: Engines, budget: Budget) -> tuple[Case, ...]:
         detail = "not run: the time for all meshes together was used up"
         return _ended(trial, Ending(Stop.TIMED_OUT, detail, 0.0, 0.0, ""))
     asked = request(trial)
-    ending, result = run_job(asked.job, engine, seconds)
-    budget.note(trial, ending)
-    cases = asked.read(result, ending) if result else ()
-    return (*_ended(trial, ending), *cases)
+    results = []
+    for job in asked.jobs:
+        ending, result = run_job(job, engine, seconds)
+        if result is None:
+            budget.note(trial, ending)
+            return _ended(trial, ending)
+        results.append(result)
+    return (*_ended(trial, ending), *asked.read(results, ending))
 
 
 def _ended(trial: Trial, ending: Ending) -> tuple[Case, ...]:

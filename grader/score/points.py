@@ -178,11 +178,11 @@ def _died(part: str, tallies: Mapping[str, Tally]) -> str | None:
 
 
 def _idle(scores: Sequence[CheckScore], started: Collection[str]) -> tuple[CheckScore, ...]:
-    """Nothing is earned, and nothing is blamed, in a part that still is the given code."""
+    """Nothing is earned, and nothing is blamed, in a part that is not started."""
     return tuple(
         score
         if score.part == BOTH or score.part in started
-        else _worthless(score, "not started: the given code is unchanged", None)
+        else _worthless(score, "not started: it still does what the given code does", None)
         for score in scores
     )
 

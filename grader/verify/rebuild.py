@@ -19,7 +19,7 @@ TREE_CHECKS = (
     split.splits_the_longest_axis,
     split.splits_at_the_median,
 )
-"""What a later tree must keep to, if the first one did."""
+"""What a later tree must keep to, if the fresh one of its mesh did."""
 
 
 @check(RebuildCase, "bvh.rebuild-starts-afresh")
@@ -29,10 +29,13 @@ def rebuild_starts_afresh(case: RebuildCase) -> Evidence:
         if not _same_mesh(given, after):
             text = f"mesh {name} has changed, but construct may only read it"
             return one(Example(text, "the mesh as it was", "changed vertices or faces"))
-    fresh = {id(mesh): bvh for _, mesh, bvh in reversed(case.trees[:2])}
-    known = _flaws(*case.trees[0][1:])
+    _, first, built = case.trees[0]
+    second = case.trial.second
+    fresh = {id(first): built, id(second): case.alone}
+    known = {id(first): _flaws(first, built), id(second): _flaws(second, case.alone)}
     for label, mesh, bvh in case.trees[1:]:
-        difference = _difference(mesh, fresh[id(mesh)], bvh) or _new_flaw(mesh, bvh, known)
+        key = id(mesh)
+        difference = _difference(mesh, fresh[key], bvh) or _new_flaw(mesh, bvh, known[key])
         if difference:
             wanted = "the tree that the first call builds"
             return one(Example(f"{label}: {difference}", wanted, difference))
@@ -66,7 +69,7 @@ def _difference(mesh: Mesh, fresh: Bvh, later: Bvh) -> str:
 
 
 def _new_flaw(mesh: Mesh, bvh: Bvh, known: set[str]) -> str:
-    """Word the first mistake of a later tree that the very first tree does not have."""
+    """Word the first mistake of a later tree that a fresh tree of its mesh does not have."""
     for each, evidence in _judged(mesh, bvh):
         if evidence.wrong and each not in known:
             return evidence.examples[0].message

@@ -111,6 +111,7 @@ def test_garbage_of_a_second_construct_breaks_nothing(
             "rebuild",
             RebuildTrial("rebuild", mesh, mesh),
             tuple((label, mesh, trees[k % 2]) for k, label in enumerate(labels)),
+            garbage,
             (),
         )
         found = findings(case)["bvh.rebuild-starts-afresh"]

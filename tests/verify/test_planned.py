@@ -35,7 +35,7 @@ class Zeros(Result):
 def delivered(trial: Trial) -> tuple[Case, ...]:
     """Make the cases that a trial gives when its worker finishes."""
     asked = request(trial)
-    cases = asked.read(Zeros(asked.job.result_size), ENDED)
+    cases = asked.read([Zeros(job.result_size) for job in asked.jobs], ENDED)
     sanitized = isinstance(trial, ConstructTrial | TraceTrial) and trial.sanitized
     ended = (MemoryCase if sanitized else SurvivalCase)(trial.name, trial, ENDED)
     return (ended, *cases)
