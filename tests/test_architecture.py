@@ -53,7 +53,7 @@ def test_the_contracts_hold() -> None:
         ("model/mesh.py", "import grader.score.points", "stages do not know each other"),
         ("helpers.py", '"""A new module."""', "stages do not know each other"),
         ("verify/engine.py", "import subprocess", "only sandbox starts processes"),
-        ("report/text.py", "import multiprocessing", "only sandbox starts processes"),
+        ("report/facts.py", "import multiprocessing", "only sandbox starts processes"),
         ("build/compile.py", "import ctypes", "only run.worker and run.abi call"),
         ("verify/closest.py", "import mitsuba", "only oracle talks to other ray tracers"),
         ("run/worker.py", "import grader.verify.closest", "the worker knows no answers"),

@@ -2,6 +2,7 @@
 
 import os
 import sys
+from io import TextIOWrapper
 
 import click
 
@@ -24,6 +25,10 @@ for command in (check, grade, scenes, doctor, schema):
 
 def main() -> None:
     """Run the command line and leave with the exit status that the contract names."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, TextIOWrapper):
+            # A pipe of another age gets a code for what its encoding lacks.
+            stream.reconfigure(errors="backslashreplace")
     try:
         cli(prog_name="bvhgrade")
     except KeyboardInterrupt:

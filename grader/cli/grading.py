@@ -13,7 +13,7 @@ from grader.cli.status import FULL_MARKS, LOST_POINTS, OUR_FAULT
 from grader.errors import UsageError
 from grader.model.grade import Grade
 from grader.model.verdict import Verdict
-from grader.report.text import one_line
+from grader.report.escape import line_for_terminal
 
 SEED = 41
 OUTPUT = "bvhgrade-out"
@@ -163,16 +163,17 @@ def report(result: Grade, order: Order, written: Path, tell_hidden: bool) -> Non
 
 
 def repetition(order: Order) -> str:
-    """Word the call that grades the same again, ready to be pasted into a shell."""
+    """Word the call that grades the same again, ready to be pasted; empty if it cannot be."""
     words = ["bvhgrade", "check", str(order.path), "--seed", str(order.seed)]
     if order.rubric is not None:
         words += ["--rubric", str(order.rubric)]
-    return one_line(shlex.join(words))
+    command = shlex.join(words)
+    return command if command == line_for_terminal(command) else ""
 
 
 def points_only(result: Grade) -> str:
     """Word the points in one line."""
-    name = one_line(result.submission.student)
+    name = line_for_terminal(result.submission.student)
     earned = "withheld" if is_withheld(result) else f"{result.score:g}"
     return f"{earned} of {result.max_score:g}  {name}"
 

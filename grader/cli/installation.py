@@ -4,6 +4,7 @@ import click
 from click.exceptions import Exit
 
 from grader.cli.status import FULL_MARKS, OUR_FAULT
+from grader.report.escape import line_for_terminal
 
 
 @click.command()
@@ -28,7 +29,8 @@ def doctor() -> None:
         sign = {True: "ok", False: "missing"}[finding.ok]
         if not finding.needed and not finding.ok:
             sign = "without"
-        click.echo(f"{sign:<8} {finding.subject:<{width}}  {finding.state}")
+        state = line_for_terminal(finding.state)
+        click.echo(f"{sign:<8} {finding.subject:<{width}}  {state}")
         if finding.remedy:
             click.echo(f"{'':<8} {'':<{width}}  -> {finding.remedy}")
     works = able(findings)

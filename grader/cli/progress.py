@@ -4,7 +4,7 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
-from grader.report.text import one_line
+from grader.report.escape import line_for_terminal
 
 Progress = Callable[[str, int, int], None]
 
@@ -28,7 +28,9 @@ def shown_progress() -> Iterator[Progress]:
         task = bars.add_task("starting", total=None)
 
         def move(stage: str, done: int, total: int) -> None:
-            bars.update(task, description=one_line(stage), completed=done, total=total or None)
+            bars.update(
+                task, description=line_for_terminal(stage), completed=done, total=total or None
+            )
 
         yield move
 

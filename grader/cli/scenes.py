@@ -7,7 +7,7 @@ from click.exceptions import Exit
 
 from grader.cli.progress import shown_progress
 from grader.cli.status import FULL_MARKS, OUR_FAULT
-from grader.report.text import one_line
+from grader.report.escape import line_for_terminal
 
 if TYPE_CHECKING:
     from grader.oracle.scenes import SceneStatus
@@ -52,7 +52,7 @@ def tell(found: "tuple[SceneStatus, ...]") -> None:
         scene = status.scene
         size = f"{scene.width} x {scene.height}"
         known = f"{status.faces:>9,} faces  {size:>11}  {status.reference_mib:>5.1f} MiB"
-        click.echo(f"{scene.name:<{width}}  {known}  {one_line(scene.title)}")
+        click.echo(f"{scene.name:<{width}}  {known}  {line_for_terminal(scene.title)}")
         if status.problem:
-            click.echo(f"{'':<{width}}  -> {one_line(status.problem)}")
+            click.echo(f"{'':<{width}}  -> {line_for_terminal(status.problem)}")
     raise Exit(OUR_FAULT if any(status.problem for status in found) else FULL_MARKS)

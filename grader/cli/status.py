@@ -13,7 +13,8 @@ from typing import Any, NoReturn
 import click
 
 from grader.errors import GraderError, UsageError
-from grader.report.text import printable
+from grader.plain import printable
+from grader.report.escape import for_terminal
 
 FULL_MARKS = 0
 LOST_POINTS = 1
@@ -21,14 +22,32 @@ WRONG_USAGE = 2
 OUR_FAULT = 3
 INTERRUPTED = 130
 
+LONGEST_TRACEBACK = 100_000
+"""Characters; it may quote a stranger, and a maintainer prints it."""
+
 
 class GraderGroup(click.Group):
     """A group whose commands may raise anything and still end with the right status."""
+
+    def make_context(
+        self,
+        info_name: str | None,
+        args: list[str],
+        parent: click.Context | None = None,
+        **extra: Any,  # noqa: ANN401 - click's own signature
+    ) -> click.Context:
+        """Read the options before the command."""
+        try:
+            return super().make_context(info_name, args, parent, **extra)
+        except click.UsageError as fault:
+            raise harmless(fault) from fault.__cause__
 
     def invoke(self, ctx: click.Context) -> Any:  # noqa: ANN401 - click's own signature
         """Run the command; turn what it raises into one sentence and a status."""
         try:
             return super().invoke(ctx)
+        except click.UsageError as fault:
+            raise harmless(fault) from fault.__cause__
         except (click.ClickException, click.exceptions.Exit, BrokenPipeError):
             raise
         except (KeyboardInterrupt, click.Abort):
@@ -41,9 +60,16 @@ class GraderGroup(click.Group):
             stop(ctx, surprise(fault), OUR_FAULT)
 
 
+def harmless(fault: click.UsageError) -> click.UsageError:
+    """Take the power from what click quotes: a shell's `*` may have named a stranger's file."""
+    if isinstance(fault, click.exceptions.NoArgsIsHelpError):
+        return fault
+    return click.UsageError(for_terminal(fault.format_message()), fault.ctx)
+
+
 def stop(ctx: click.Context, sentence: str, status: int) -> NoReturn:
     """Say why on standard error and leave."""
-    for line in printable(sentence).splitlines():
+    for line in for_terminal(sentence).splitlines():
         click.echo(f"bvhgrade: {line}", err=True)
     ctx.exit(status)
 
@@ -69,5 +95,5 @@ def kept(text: str) -> Path:
         folder = Path(tempfile.gettempdir())
     handle, name = tempfile.mkstemp(prefix="fault-", suffix=".txt", dir=folder)
     with os.fdopen(handle, "w", encoding="utf-8", errors="backslashreplace") as file:
-        file.write(text)
+        file.write(printable(text, LONGEST_TRACEBACK))
     return Path(name)

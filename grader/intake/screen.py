@@ -1,32 +1,20 @@
-"""Is this name fit to be shown, and are these bytes fit to be compiled?"""
+"""Are these bytes fit to be compiled?"""
 
 import hashlib
 
 from grader.model.stages import Rejected, Submission
+from grader.plain import as_name
 
 SOURCE_NAME = "exercise03.cpp"
 """The one file of the exercise that a student edits."""
 
-LONGEST_NAME = 120
-"""Characters of a stranger's file name that are shown."""
+printable = as_name
+"""Write a stranger's name so that it can be shown, on one line."""
 
 _SAMPLE = 4096
 _WIDE_MARKS = (b"\xff\xfe", b"\xfe\xff", b"\x00\x00\xfe\xff")
 _UTF8_MARK = b"\xef\xbb\xbf"
 _ARCHIVE_MARKS = (b"PK\x03\x04", b"PK\x05\x06", b"\x1f\x8b", b"Rar!", b"7z\xbc\xaf")
-
-
-def printable(text: str, longest: int = LONGEST_NAME) -> str:
-    """Write a stranger's text on one line, with everything invisible escaped.
-
-    Control, bidirectional and undecodable characters become what Python's `ascii` makes of
-    them; what is too long loses its middle, so that the file name at the end stays.
-    """
-    shown = "".join(c if c.isprintable() else ascii(c)[1:-1] for c in text)
-    if len(shown) <= longest:
-        return shown
-    half = (longest - 1) // 2
-    return f"{shown[:half]}…{shown[-half:]}"
 
 
 def screen(student: str, path: str, source: bytes, source_limit: int) -> Submission | Rejected:

@@ -5,7 +5,6 @@ Two gradings of one submission with one seed may differ only inside `timing` and
 of the build belong to the shape and are always null.
 """
 
-import json
 import math
 from importlib.resources import files
 from typing import Any
@@ -14,12 +13,18 @@ from grader.errors import OutputFault
 from grader.model.grade import CheckScore, Grade, Timing
 from grader.model.stages import Build, Diagnostic, Rejected, Submission
 from grader.model.verdict import Example
+from grader.plain import one_line
+from grader.report.escape import for_json
 from grader.report.facts import FILE, place, withheld
-from grader.report.text import one_line, printable
 
 Json = dict[str, Any]
 
 SCHEMA_VERSION = 1
+
+MOST_MESSAGES = 40
+"""Messages of the compiler that are kept; more are counted."""
+
+MOST_EXAMPLES = 3
 
 
 def schema_text() -> str:
@@ -29,11 +34,14 @@ def schema_text() -> str:
 
 def to_text(grade: Grade) -> str:
     """Write a grade as the text of `result.json`."""
-    return json.dumps(to_json(grade), indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+    return for_json(to_json(grade)) + "\n"
 
 
 def to_json(grade: Grade) -> Json:
-    """Turn a grade into the values of `result.json`, keys in the contract's order."""
+    """Turn a grade into the values of `result.json`, keys in the contract's order.
+
+    Its texts are still a stranger's: every format that is made from it escapes them.
+    """
     unknown = withheld(grade)
     review = grade.needs_review or grade.score is None or bool(unknown)
     unsure = {score.part for score in grade.checks if score.check in unknown}
@@ -79,11 +87,11 @@ def one_check(grade: Grade, score: CheckScore, unknown: bool) -> Json:
         "visibility": score.visibility,
         "examined": score.examined,
         "wrong": score.wrong,
-        "message": printable(score.message),
-        "expected": printable(score.expected),
-        "got": printable(score.got),
-        "hint": printable(score.hint),
-        "examples": [example(one) for one in score.examples],
+        "message": score.message,
+        "expected": score.expected,
+        "got": score.got,
+        "hint": score.hint,
+        "examples": [example(one) for one in score.examples[:MOST_EXAMPLES]],
         "blocked_by": score.blocked_by,
         "stop": score.stop.value,
         "location": location(grade, score),
@@ -95,9 +103,9 @@ def one_check(grade: Grade, score: CheckScore, unknown: bool) -> Json:
 def example(given: Example) -> Json:
     """Write one wrong place."""
     return {
-        "message": printable(given.message),
-        "expected": printable(given.expected),
-        "got": printable(given.got),
+        "message": given.message,
+        "expected": given.expected,
+        "got": given.got,
     }
 
 
@@ -106,7 +114,7 @@ def location(grade: Grade, score: CheckScore) -> Json | None:
     found = place(grade, score)
     if found is None:
         return None
-    return {"file": FILE, "line": found.line, "function": one_line(found.function)}
+    return {"file": FILE, "line": found.line, "function": found.function}
 
 
 def build(grade: Grade) -> Json:
@@ -115,10 +123,12 @@ def build(grade: Grade) -> Json:
     if isinstance(grade.submission, Rejected):
         said = [diagnostic(Diagnostic(0, 0, "error", grade.submission.reason))]
         return {"ok": False, "diagnostics": said, "seconds": None}
-    remarks = () if made is None else made.remarks
-    notes = [Diagnostic(line=0, column=0, severity="note", text=text) for text in remarks]
     given = () if made is None else made.diagnostics
-    said = [diagnostic(one) for one in (*given, *notes)]
+    remarks = [] if made is None else list(made.remarks)
+    if len(given) > MOST_MESSAGES:
+        remarks.append(f"{len(given) - MOST_MESSAGES:,} more messages of the compiler")
+    notes = [Diagnostic(line=0, column=0, severity="note", text=text) for text in remarks]
+    said = [diagnostic(one) for one in (*given[:MOST_MESSAGES], *notes)]
     return {"ok": compiled(made), "diagnostics": said, "seconds": None}
 
 
@@ -133,7 +143,7 @@ def diagnostic(given: Diagnostic) -> Json:
         "line": given.line,
         "column": given.column,
         "severity": given.severity,
-        "text": printable(given.text),
+        "text": given.text,
     }
 
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from grader.model.grade import CheckScore, Grade, PartScore
 from grader.model.stages import Rejected
 from grader.model.verdict import Verdict
+from grader.plain import as_name
 
 FILE = "src/exercise03.cpp"
 """Name of the student's file in every message, wherever it really lies."""
@@ -22,6 +23,8 @@ class Place:
     """1-based; None if not even the function's first line is known."""
 
     function: str
+    """A student's name, made printable; empty if unknown."""
+
     exact: bool
     """True if it is the statement's line, False if only the function's first."""
 
@@ -59,7 +62,7 @@ def place(grade: Grade, score: CheckScore) -> Place | None:
     named = sorted((line, plain_name(mangled)) for mangled, line in known)
     if score.line > 0:
         around = [name for line, name in named if line <= score.line and name]
-        return Place(score.line, around[-1] if around else (wanted or ""), exact=True)
+        return Place(score.line, as_name(around[-1]) if around else (wanted or ""), exact=True)
     if wanted is None:
         return None
     starts = [line for line, name in named if name == wanted]

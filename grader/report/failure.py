@@ -9,7 +9,6 @@ from grader.model.grade import CheckScore, Grade
 from grader.model.stages import Rejected
 from grader.report.facts import FILE, place
 from grader.report.sheet import STYLES, Sheet
-from grader.report.text import one_line, printable
 
 EXCERPT = 3
 """Lines of source that are shown, the marked one last."""
@@ -39,10 +38,10 @@ def points(score: float, possible: float) -> str:
 def explain(sheet: Sheet, grade: Grade, score: CheckScore, occasion: Occasion) -> None:
     """Write the whole block of one failed check."""
     headline(sheet, score)
-    happened = printable(score.message)
+    happened = sheet.plain(score.message)
     if happened:
         sheet.beside("", happened)
-    for label, told in examples(score, happened):
+    for label, told in examples(sheet, score, happened):
         sheet.beside(label, told)
     if score.expected:
         sheet.beside("expected", score.expected, "green")
@@ -61,7 +60,7 @@ def headline(sheet: Sheet, score: CheckScore) -> None:
     mark = Text.assemble((f"{sheet.glyphs.named(score.verdict)}  ", style))
     worth = f"{points(score.score, score.max_score)} points" if score.max_score else "gate"
     room = sheet.width - mark.cell_len
-    lines = sheet.wrapped(one_line(score.title), room)
+    lines = sheet.wrapped(sheet.line(score.title), room)
     fits = Text(lines[-1]).cell_len + len(worth) + 2 <= room
     for number, line in enumerate(lines):
         left = mark.copy() if number == 0 else Text(" " * mark.cell_len)
@@ -72,9 +71,10 @@ def headline(sheet: Sheet, score: CheckScore) -> None:
         sheet.beside("points", points(score.score, score.max_score))
 
 
-def examples(score: CheckScore, happened: str) -> list[tuple[str, str]]:
+def examples(sheet: Sheet, score: CheckScore, happened: str) -> list[tuple[str, str]]:
     """Choose what the message did not say yet, with a label before the first."""
-    told = [one.message for one in score.examples if printable(one.message) not in happened]
+    told = [sheet.plain(one.message) for one in score.examples]
+    told = [one for one in told if one not in happened]
     labels = ["example"] + [""] * len(told)
     return list(zip(labels, told, strict=False))
 
@@ -113,7 +113,7 @@ def compile_errors(sheet: Sheet, grade: Grade) -> None:
     for one in errors[:SHOWN_ERRORS]:
         column = f":{one.column}" if one.column else ""
         where = f"{FILE}:{one.line}{column}: " if one.line else ""
-        sheet.beside("error", where + printable(one.text))
+        sheet.beside("error", where + one.text)
         if one.line:
             excerpt(sheet, grade, one.line)
     if len(errors) > SHOWN_ERRORS:

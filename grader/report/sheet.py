@@ -1,7 +1,7 @@
 """How are lines of a terminal report laid out: width, signs, gutter, wrapping?
 
 Every word from outside becomes a `rich.text.Text` here, never a markup string, after it went
-through `printable`. So `v[red]` and `[/tmp/x]` survive, and an escape sequence does not.
+through `for_terminal`. So `v[red]` and `[/tmp/x]` survive, and an escape sequence does not.
 """
 
 from dataclasses import dataclass, field
@@ -10,10 +10,13 @@ from rich.console import Console
 from rich.text import Text
 
 from grader.model.verdict import Verdict
-from grader.report.text import printable
+from grader.report.escape import for_terminal, line_for_terminal, unheard
 
 MIN_WIDTH = 56
 MAX_WIDTH = 120
+MAX_LINES = 12
+"""Lines of one paragraph; a stranger's thousand empty ones must not hide the others."""
+
 LABEL_WIDTH = 8
 
 STYLES = {
@@ -97,6 +100,14 @@ class Sheet:
         self.glyphs = glyphs_for(self.console.encoding)
         self.width = max(MIN_WIDTH, min(MAX_WIDTH, self.console.width))
 
+    def plain(self, text: str) -> str:
+        """Take the power from a stranger's text."""
+        return for_terminal(text, self.console.encoding)
+
+    def line(self, text: str) -> str:
+        """Take the power from a stranger's text and put it on one line."""
+        return line_for_terminal(text, self.console.encoding)
+
     def blank(self) -> None:
         """Leave a line empty."""
         self.lines.append(Text())
@@ -125,14 +136,14 @@ class Sheet:
 
     def command(self, label: str, text: str) -> None:
         """Write a command beside the gutter on one line, however long it is."""
-        self.lines.append(self.gutter(label).append(text))
+        self.lines.append(self.gutter(label).append(self.line(text)))
 
     def source(self, number: int, text: str, marked: bool) -> None:
         """Write a line of source code beside the gutter, cut at the right edge."""
         line = Text.assemble("  ", (self.glyphs.gutter, "red"), " ")
         line.append("> " if marked else "  ", "red")
         line.append(f"{number:>6}  ", "bold red" if marked else "dim")
-        code = Text(printable(text).replace("\n", " ").expandtabs(4).rstrip())
+        code = Text(self.plain(text).replace("\n", " ").expandtabs(4).rstrip())
         if code.cell_len > self.width - line.cell_len:
             code.truncate(self.width - line.cell_len - 1)
             code.append(self.glyphs.rest)
@@ -146,16 +157,27 @@ class Sheet:
 
     def wrapped(self, text: str, width: int) -> list[str]:
         """Break hostile text into lines of at most `width` cells, long words included."""
-        plain = Text(printable(text).expandtabs(4))
-        return [line.plain.rstrip() for line in plain.wrap(self.console, max(width, 16))]
+        plain = Text(self.plain(text).expandtabs(4))
+        lines = [line.plain.rstrip() for line in plain.wrap(self.console, max(width, 16))]
+        if len(lines) <= MAX_LINES:
+            return lines
+        half = MAX_LINES // 2
+        missing = f"[... {len(lines) - 2 * half + 1:,} lines ...]"
+        return [*lines[:half], missing, *lines[1 - half :]]
 
     def show(self) -> None:
         """Print all lines at once; what the encoding lacks is written as its code."""
         with self.console.capture() as captured:
-            for line in self.lines:
+            for line in map(inert, self.lines):
                 self.console.print(line, soft_wrap=True, highlight=False, markup=False)
         stream = self.console.file
         encoding = self.console.encoding
         text = captured.get().encode(encoding, "backslashreplace").decode(encoding)
         stream.write(text)
         stream.flush()
+
+
+def inert(line: Text) -> Text:
+    """Break a command that wrapping has put at the start of a line, for the price of colours."""
+    plain = unheard(line.plain)
+    return line if plain == line.plain else Text(plain)

@@ -9,7 +9,6 @@ from grader.model.verdict import Verdict
 from grader.report.facts import unstarted, withheld, worst
 from grader.report.failure import Occasion, compile_errors, explain, points
 from grader.report.sheet import STYLES, Sheet
-from grader.report.text import one_line
 
 STATEMENT_MIN = 24
 """Columns below which a cut statement says less than the check's name alone."""
@@ -44,10 +43,9 @@ def print_grade(console: Console, grade: Grade, occasion: Occasion) -> None:
 def header(sheet: Sheet, grade: Grade) -> None:
     """Name the submission and its score, and draw the score."""
     given = grade.submission
-    # A line that began with a stranger's `::error` would be a command to a workflow runner.
-    name = Text.assemble(("bvhgrade  ", "dim"), (one_line(given.student), "bold"))
-    if not isinstance(given, Rejected) and one_line(given.path) != one_line(given.student):
-        name.append(f"  {one_line(given.path)}", "dim")
+    name = Text.assemble(("bvhgrade  ", "dim"), (sheet.line(given.student), "bold"))
+    if not isinstance(given, Rejected) and sheet.line(given.path) != sheet.line(given.student):
+        name.append(f"  {sheet.line(given.path)}", "dim")
     if grade.score is None or grade.needs_review:
         sheet.spread(name, Text("score withheld", "bold magenta"))
         return
@@ -106,7 +104,7 @@ def part_line(sheet: Sheet, part: PartScore, unknown: bool) -> None:
     earned = "withheld" if unknown else points(part.score, part.max_score)
     if not part.max_score:
         earned = ""
-    title = Text(f"{part.part})  {one_line(part.title)}", "bold")
+    title = Text(f"{part.part})  {sheet.line(part.title)}", "bold")
     sheet.spread(title, Text(earned, "bold"))
 
 
@@ -126,12 +124,12 @@ def check_line(sheet: Sheet, score: CheckScore, earned: str, occasion: Occasion)
     sign = sheet.glyphs.mark(score.verdict)
     name = score.check.ljust(NAME_COLUMN if sheet.width >= COLUMNS_FROM else 0)
     line = Text.assemble("  ", (f"{sign} ", STYLES[score.verdict]), name)
-    remark = one_line(score.title)
+    remark = sheet.line(score.title)
     if score.verdict is Verdict.BLOCKED and score.blocked_by:
         remark = f"waits for {score.blocked_by}"
     elif score.verdict is Verdict.PASS and ":" in score.message:
         # Few cases are named: there a student looks for the dragon.
-        remark = one_line(score.message)
+        remark = sheet.line(score.message)
     if sheet.width - line.cell_len - len(earned) - 4 >= STATEMENT_MIN:
         line.append(f"  {remark}", "dim")
     sheet.spread(line, Text(earned, "dim"))
@@ -164,9 +162,9 @@ def footer(sheet: Sheet, grade: Grade, occasion: Occasion) -> None:
             "This run was not isolated: the submission could do what you can do.", "yellow"
         )
     for remark in () if grade.build is None else grade.build.remarks:
-        sheet.say(f"Note: {one_line(remark)}.", "yellow")
+        sheet.say(f"Note: {sheet.line(remark)}.", "yellow")
     if occasion.written is not None:
-        where = one_line(str(occasion.written))
+        where = sheet.line(str(occasion.written))
         sheet.lines.append(Text.assemble(("result  ", "dim"), where))
     spent = grade.timing
     sheet.say(

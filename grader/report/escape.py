@@ -1,0 +1,146 @@
+"""How is a stranger's text written so that the reader of a format takes it for text?
+
+One function a format, and no other place escapes. Each makes the text visible first
+(`grader.plain`) and then takes its power from what the format's own reader would act on.
+"""
+
+import html
+import json
+import re
+from typing import Any
+
+from grader.errors import OutputFault
+from grader.plain import FIELD_LIMIT, one_line, printable
+
+LARGEST_JSON = 900_000
+"""Bytes of a result. PrairieLearn takes at most 1,048,576, Gradescope 100,000 a field."""
+
+SHORTER = (FIELD_LIMIT, 1000, 250)
+"""Characters that a text keeps in JSON: the first of these that fits `LARGEST_JSON`."""
+
+_LOG_COMMAND = re.compile(r"##(?=\w*\[)")
+_LINE_COMMAND = re.compile(r"^([^\S\n]*):(?=:.*::)", re.MULTILINE)
+_FORMULA = re.compile(  # U+FF1D and so on are the full-width forms
+    r"""(^|[,;|"'])(\s*)(?=[=+\-@\uff1d\uff0b\uff0d\uff20])"""
+    r"(?![+-][\d.]{1,30}(?:e[+-]?\d{1,3})?\s*(?:[,;)\]]|$))"  # a mere number is left alone
+)
+
+
+def for_terminal(text: str, encoding: str = "utf-8") -> str:
+    """Write text for a terminal, which may be the log of a workflow.
+
+    A terminal obeys escape sequences and control characters (ECMA-48), which `printable`
+    removes. A GitHub runner obeys `::name::` at the start of a line, after any white space, and
+    `##[name]` anywhere in a line (actions/runner, ActionCommand.cs, TryParseV2 and TryParse);
+    Azure and TeamCity obey `##vso[` and `##teamcity[`. A space in the middle breaks each.
+
+    Args:
+        text: A stranger's text.
+        encoding: What the terminal lacks is written as its code before any width is counted.
+    """
+    return unheard(printable(text).encode(encoding, "backslashreplace").decode(encoding))
+
+
+def line_for_terminal(text: str, encoding: str = "utf-8") -> str:
+    """Write text for a terminal on one line."""
+    return for_terminal(one_line(text), encoding)
+
+
+def unheard(text: str) -> str:
+    """Break what a workflow's runner would hear as a command."""
+    return _LINE_COMMAND.sub(r"\1: ", _LOG_COMMAND.sub("# #", text))
+
+
+def for_html(text: str) -> str:
+    """Write text for HTML, as content of an element or of an attribute in quotes.
+
+    A browser acts on `<`, `&` and the closing quote there (HTML Standard, 13.1.2.3 and 13.1.4).
+    Nothing of a stranger's belongs into a comment, a style or a script; for data in a script
+    there is `for_script`. Wrap names in `<bdi>`: a Hebrew letter turns its neighbours round.
+    """
+    return html.escape(printable(text), quote=True)
+
+
+def for_xml(text: str) -> str:
+    """Write text for XML 1.0, as content or as the value of an attribute in quotes.
+
+    A parser acts on `<`, `&`, quotes and `]]>`, turns newlines and tabs of attributes into
+    spaces (XML 1.0, 3.3.3) and refuses a file with control characters, surrogates or U+FFFE
+    (2.2), none of which `printable` leaves.
+    """
+    return for_html(text).replace("\n", "&#10;").replace("\t", "&#9;")
+
+
+def for_json(value: Any) -> str:  # noqa: ANN401 - any JSON value
+    """Write a value as strict JSON (RFC 8259) of at most `LARGEST_JSON` bytes of UTF-8.
+
+    Every text in it, keys included, becomes visible. NaN is refused. `##[` is spelled with an
+    escape: a workflow that prints the file would hear a command, and a parser reads the same.
+
+    Raises:
+        OutputFault: The value holds too many texts, or a number that JSON lacks.
+    """
+    for limit in SHORTER:
+        try:
+            text = json.dumps(
+                _shown(value, limit), indent=1, ensure_ascii=False, allow_nan=False
+            )
+        except ValueError as fault:
+            raise OutputFault(f"A result holds what JSON cannot carry: {fault}.") from fault
+        text = _LOG_COMMAND.sub(r"#\\u0023", text)
+        if len(text.encode()) <= LARGEST_JSON:
+            return text
+    raise OutputFault(f"A result is larger than {LARGEST_JSON:,} bytes, however it is cut.")
+
+
+def for_script(value: Any) -> str:  # noqa: ANN401 - any JSON value
+    r"""Write a value as JSON inside an element `script` of an HTML file.
+
+    A browser ends the script at `</script` and changes how it reads it at `<!--` (HTML
+    Standard, 13.2.5.15 to 13.2.5.31), whatever the JSON says. Both begin with `<`, which stands
+    in texts only, where `\u003c` means the same.
+    """
+    text = for_json(value).replace("<", "\\u003c")
+    return text.replace(">", "\\u003e").replace("&", "\\u0026")
+
+
+def for_csv(text: str) -> str:
+    """Write a cell of CSV, quotes included.
+
+    A spreadsheet computes a cell that begins with `=`, `+`, `-`, `@` or their full-width forms,
+    quoted or not (CWE-1236; OWASP, "CSV Injection"). One that splits the file at another sign
+    than we wrote, as Excel does by country, begins new cells inside of ours. An apostrophe
+    stands before each sign that could begin a formula there. A cell is one line.
+    """
+    guarded = _FORMULA.sub(r"\1\2'", one_line(text))
+    return '"' + guarded.replace('"', '""') + '"'
+
+
+def for_workflow(text: str) -> str:
+    """Write the message of a GitHub workflow command, behind its second `::`.
+
+    The runner ends a command at the end of the line, and then decodes `%0D`, `%0A` and `%25`
+    (actions/runner, ActionCommand.cs, UnescapeData).
+    """
+    plain = _LOG_COMMAND.sub("# #", printable(text))
+    return plain.replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")
+
+
+def for_workflow_property(text: str) -> str:
+    """Write the value of a property of a workflow command: `file`, `title`.
+
+    There `,` ends the property and `::` the list; the runner decodes `%3A` and `%2C` too
+    (UnescapeProperty).
+    """
+    return for_workflow(text).replace(":", "%3A").replace(",", "%2C")
+
+
+def _shown(value: Any, limit: int) -> Any:  # noqa: ANN401 - any JSON value
+    """Make every text in a JSON value visible and short."""
+    if isinstance(value, str):
+        return printable(value, limit)
+    if isinstance(value, dict):
+        return {printable(name, limit): _shown(entry, limit) for name, entry in value.items()}
+    if isinstance(value, list | tuple):
+        return [_shown(entry, limit) for entry in value]
+    return value
