@@ -1,14 +1,19 @@
 """Which of many named files is the one to grade, and what to say if there is none or two?"""
 
+import re
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from grader.intake.screen import SOURCE_NAME, printable
 
 MOST_ENTRIES = 20_000
 """A folder or archive with more entries is not searched to its end."""
 
+MOST_COPIES = 8
+"""Files called `exercise03.cpp` that are read, to see whether all say the same."""
+
 _JUNK = "__MACOSX"
+_ALMOST = re.compile(r"exercise.?0?3( ?\(\d+\))?\.(cpp|cc|cxx)(\.txt)?", re.IGNORECASE)
 _TELLING = (".cpp", ".cc", ".cxx", ".zip", ".gz", ".tgz", ".rar", ".7z")
 _MOST_NAMED = 3
 
@@ -20,15 +25,36 @@ class Fault:
     reason: str
 
 
+NOT_A_FILE = Fault("this is a link, a pipe or a device; hand in the file itself")
+TOO_MANY = Fault(f"more than {MOST_ENTRIES:,} files; hand in only {SOURCE_NAME}")
+DAMAGED = Fault("the archive is damaged; pack it again and open it once before handing it in")
+
+
+class Damage(Exception):
+    """How a reader of an archive leaves it; nobody outside of this package sees one."""
+
+    def __init__(self, fault: Fault = DAMAGED) -> None:
+        super().__init__(fault.reason)
+        self.fault = fault
+
+
 @dataclass(frozen=True, slots=True)
-class Candidate:
-    """A file called `exercise03.cpp` that has not been read yet."""
+class Entry:
+    """Whatever lies in a folder or an archive."""
 
     path: str
-    """Where it lies in the folder or archive, as the stranger named it."""
+    """As the stranger named it; one of a folder ends with `/`. It is compared, never opened."""
 
     read: Callable[[int], bytes | Fault]
-    """Gives at most so many bytes of it."""
+    """Gives at most so many bytes, until the next entry is asked for."""
+
+
+@dataclass(frozen=True, slots=True)
+class Candidate:
+    """A file called `exercise03.cpp`."""
+
+    path: str
+    content: bytes | Fault
 
 
 def is_junk(path: str) -> bool:
@@ -49,22 +75,58 @@ def is_source(path: str) -> bool:
     return parts(path)[-1] == SOURCE_NAME and not is_junk(path)
 
 
-def choose(found: list[Candidate], others: Iterable[str]) -> Candidate | Fault:
-    """Take the only candidate.
+def choose(entries: Iterable[Entry], most: int) -> Candidate | Fault:
+    """Take the only candidate, or one of several that hold the same bytes.
 
     Args:
-        found: Every candidate.
-        others: Paths of the other files, of which telling ones are named if there is none.
+        entries: Everything there is; it is looked at in this order, and once.
+        most: Bytes of a candidate that are read.
     """
-    if len(found) == 1:
-        return found[0]
-    if found:
-        names = ", ".join(f"`{printable(one.path)}`" for one in found[:_MOST_NAMED])
+    found = _Found()
+    for count, entry in enumerate(entries):
+        if count >= MOST_ENTRIES:
+            return TOO_MANY
+        found.add(entry, most)
+    return found.chosen()
+
+
+@dataclass(slots=True)
+class _Found:
+    """What is kept of thousands of entries: a few candidates and a few telling names."""
+
+    number: int = 0
+    candidates: list[Candidate] = field(default_factory=list)
+    almost: list[str] = field(default_factory=list)
+    telling: list[str] = field(default_factory=list)
+
+    def add(self, entry: Entry, most: int) -> None:
+        if is_source(entry.path):
+            self.number += 1
+            if self.number <= MOST_COPIES:
+                self.candidates.append(Candidate(entry.path, entry.read(most)))
+        elif not is_junk(entry.path):
+            self._remember(entry.path)
+
+    def _remember(self, path: str) -> None:
+        if _ALMOST.fullmatch(parts(path)[-1]):
+            self.almost = [*self.almost, path][:_MOST_NAMED]
+        elif path.lower().endswith(_TELLING):
+            self.telling = [*self.telling, path][:_MOST_NAMED]
+
+    def chosen(self) -> Candidate | Fault:
+        if not self.number:
+            return self._none()
+        files = [one for one in self.candidates if one.content != NOT_A_FILE]
+        if self.number <= MOST_COPIES and len({one.content for one in files}) <= 1:
+            return [*files, *self.candidates][0]
+        names = ", ".join(f"`{printable(one.path)}`" for one in self.candidates[:_MOST_NAMED])
         return Fault(
-            f"{len(found)} files are called {SOURCE_NAME} ({names}), but exactly one is "
+            f"{self.number:,} files are called {SOURCE_NAME} ({names}), but exactly one is "
             "graded; hand in only that one"
         )
-    telling = [o for o in others if o.lower().endswith(_TELLING) and not is_junk(o)]
-    names = ", ".join(f"`{printable(other)}`" for other in telling[:_MOST_NAMED])
-    instead = f"; there is {names}" if names else ""
-    return Fault(f"no file is called {SOURCE_NAME}{instead}")
+
+    def _none(self) -> Fault:
+        named = [*self.almost, *self.telling][:_MOST_NAMED]
+        names = ", ".join(f"`{printable(path)}`" for path in named)
+        instead = f"; there is {names}" if names else ""
+        return Fault(f"no file is called {SOURCE_NAME}{instead}")
