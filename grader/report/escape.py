@@ -20,9 +20,10 @@ SHORTER = (FIELD_LIMIT, 1000, 250)
 
 _LOG_COMMAND = re.compile(r"##(?=\w*\[)")
 _LINE_COMMAND = re.compile(r"^([^\S\n]*):(?=:.*::)", re.MULTILINE)
-_FORMULA = re.compile(  # U+FF1D and so on are the full-width forms
-    r"""(^|[,;|"'])(\s*)(?=[=+\-@\uff1d\uff0b\uff0d\uff20])"""
-    r"(?![+-][\d.]{1,30}(?:e[+-]?\d{1,3})?\s*(?:[,;)\]]|$))"  # a mere number is left alone
+_NUMBER = r"[+-][\d.]{1,30}(?:e[+-]?\d{1,3})?"
+_FORMULA = re.compile(  # a cell that is a number and the numbers of a vector are left alone
+    rf"""(?:^(?!{_NUMBER}$)|,\s*(?!{_NUMBER}[,)\]])|[;|"']\s*)"""
+    r"(?=[=+\-@\uff1d\uff0b\uff0d\uff20])"
 )
 
 
@@ -112,7 +113,7 @@ def for_csv(text: str) -> str:
     than we wrote, as Excel does by country, begins new cells inside of ours. An apostrophe
     stands before each sign that could begin a formula there. A cell is one line.
     """
-    guarded = _FORMULA.sub(r"\1\2'", one_line(text))
+    guarded = _FORMULA.sub(r"\g<0>'", one_line(text))
     return '"' + guarded.replace('"', '""') + '"'
 
 

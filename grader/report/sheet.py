@@ -178,6 +178,6 @@ class Sheet:
 
 
 def inert(line: Text) -> Text:
-    """Break a command that wrapping has put at the start of a line, for the price of colours."""
+    """Break a command that wrapping put at the start of a line; it loses its colours."""
     plain = unheard(line.plain)
-    return line if plain == line.plain else Text(plain)
+    return line if plain == line.plain else Text(plain.removeprefix(" "))

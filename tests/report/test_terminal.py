@@ -7,14 +7,12 @@ from pathlib import Path
 import pytest
 
 from grader.model.grade import Grade
-from grader.model.stages import Diagnostic, Rejected
 from grader.report.failure import Occasion
 from tests.report import samples
 from tests.report.goldens import FOLDER, OCCASION, SCREENS, Screen, cases, printed
 from tests.report.hostile import HOSTILE
 
 COMMAND = "bvhgrade check src/exercise03.cpp --seed 41 --only hits.closest-wins"
-STYLE = re.compile(r"\x1b\[[0-9;]*m")
 
 
 @pytest.mark.parametrize("name", cases())
@@ -83,28 +81,6 @@ def test_a_style_does_not_leak_into_what_follows() -> None:
     """The sign is red, the statement is only bold."""
     report = printed(samples.failing(), Screen(terminal=True))
     assert b"\x1b[31m\xe2\x9c\x97 fail  \x1b[0m\x1b[1mThe closest" in report
-
-
-@pytest.mark.parametrize("screen", ["56", "120", "color", "cp1252"])
-@pytest.mark.parametrize("name", HOSTILE)
-def test_hostile_text_does_not_act(name: str, screen: str) -> None:
-    """No escape sequence but our own styles, no command for a workflow, no lost gutter."""
-    text = HOSTILE[name]
-    score = replace(samples.loose_boxes(text), expected=text, got=text, hint=text, title=text)
-    given = replace(
-        samples.SUBMISSION, student=text, path=text, source=text.encode("utf-8", "replace") * 8
-    )
-    grade = replace(samples.changed(c5=replace(score, line=1)), submission=given)
-    said = (Diagnostic(1, 1, "error", text),) * 9
-    failed = replace(
-        samples.uncompiled(), build=replace(samples.BUILD, library=None, diagnostics=said)
-    )
-    refused = replace(samples.rejected(), submission=Rejected(text, text))
-    for each in (grade, failed, refused):
-        report = STYLE.sub("", decoded(each, screen))
-        assert not {"\x1b", "\x9b", "\x00", "\r", "\x08", "\u202e"} & set(report)
-        assert not re.search(r"^\s*::.*::", report, re.MULTILINE)
-        assert len(report) < 60_000
 
 
 def decoded(grade: Grade, screen: str) -> str:
