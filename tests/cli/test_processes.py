@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from grader.cli.output import RESULT
+from tests.report.readers import commands
 
 CHECKOUT = Path(__file__).parents[2]
 FILE = "exercise03.cpp"
@@ -130,3 +131,35 @@ def test_progress_is_shown_in_a_terminal_only(here: Path) -> None:
     assert "tracing [red]rays[/red]" in shown
     assert b"tracing" not in out
     assert run(here, stand_in("perfect", "grade", FILE)).stderr == b""
+
+
+@pytest.mark.parametrize(
+    "words", [["check", "\u6f22.cpp"], ["grade", "none\u6f22"], ["doctor"]]
+)
+def test_what_the_encoding_lacks_is_written_as_its_code(here: Path, words: list[str]) -> None:
+    """Neither a report nor a complaint ends with a fault of encoding."""
+    (here / "\u6f22.cpp").write_text("")
+    cache = str(here / "cache-\u6f22")
+    result = run(
+        here, stand_in("failing", *words), PYTHONIOENCODING="cp1252", BVHGRADE_CACHE=cache
+    )
+    assert b"\\u6f22" in result.stdout + result.stderr
+    assert b"itself failed" not in result.stderr
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["--\x1b]0;x\x07\n::error::x"],
+        ["grade", "--\x1b[2J\n::error::x"],
+        ["grade", FILE, "##[error]x\x1b[2J", "\n::stop-commands::x"],
+        ["grade", "\x1b[2J\n::error::x"],
+        ["\x1b[2J\n::error::x ##[group]"],
+    ],
+)
+def test_what_a_shell_found_in_a_folder_does_not_act(here: Path, words: list[str]) -> None:
+    """`bvhgrade grade *` quotes a stranger's file names in its complaint."""
+    result = run(here, stand_in("failing", *words))
+    assert result.returncode == 2
+    assert not commands(result.stderr.decode())
+    assert b"\x1b" not in result.stderr
