@@ -22,7 +22,7 @@ ZIP_MARKS = (b"PK\x03\x04", b"PK\x05\x06")
 
 _END = struct.Struct("<4s8xLLH")
 _END64 = struct.Struct("<4s36xQQ")
-_LOCATOR = struct.Struct("<4s4xQ4x")
+_LOCATOR_SIZE = 20
 _LISTED = struct.Struct("<4s4xHH4xLLLHHH4xLL")
 _LOCAL = struct.Struct("<4s22xHH")
 _FIELD = struct.Struct("<HH")
@@ -30,7 +30,6 @@ _LONGEST_COMMENT = 0xFFFF
 _IN_EXTRA = 0xFFFFFFFF
 _ZIP64 = 1
 _ENCRYPTED = 0x1
-_UTF8 = 0x800
 _STORED, _DEFLATED = 0, 8
 
 
@@ -49,8 +48,11 @@ class _Listed:
 
     @property
     def path(self) -> str:
-        encoding = "utf-8" if self.flags & _UTF8 else "cp437"
-        return self.name.decode(encoding, "surrogateescape")
+        """Not all programs say that they write UTF-8."""
+        try:
+            return self.name.decode()
+        except UnicodeDecodeError:
+            return self.name.decode("cp437")
 
 
 def zip_entries(file: BinaryIO) -> Iterator[Entry]:
@@ -70,28 +72,32 @@ def _listing(file: BinaryIO) -> Iterator[_Listed]:
         listed, length = _listed(file)
         place += length
         yield listed
+    if place != end:
+        raise Damage
 
 
 def _bounds(file: BinaryIO) -> tuple[int, int]:
-    """Where the list of contents starts and ends, as the end record claims."""
+    """Where the list of contents starts and ends, as the end record claims.
+
+    It has to lie right in front of that record: of two archives in one file, or of one behind
+    another program, it is not clear what is handed in.
+    """
     size = file.seek(0, 2)
-    start = max(0, size - _END.size - _LONGEST_COMMENT)
+    start = max(0, size - _LOCATOR_SIZE - _END.size - _LONGEST_COMMENT)
     file.seek(start)
     tail = file.read()
     at = _last_record(tail)
     _, length, place, _ = _END.unpack_from(tail, at)
-    if _LOCATOR.size <= start + at and _IN_EXTRA in {length, place}:
-        file.seek(start + at - _LOCATOR.size)
-        mark, record = _LOCATOR.unpack(_exactly(file, _LOCATOR.size))
-        if mark != b"PK\x06\x07" or record > size:
-            raise Damage
-        file.seek(record)
+    end = start + at
+    if at >= _LOCATOR_SIZE and tail.startswith(b"PK\x06\x07", at - _LOCATOR_SIZE):
+        end -= _LOCATOR_SIZE + _END64.size
+        file.seek(max(0, end))
         mark, length, place = _END64.unpack(_exactly(file, _END64.size))
         if mark != b"PK\x06\x06":
             raise Damage
-    if place + length > start + at:
+    if place + length != end:
         raise Damage
-    return place, place + length
+    return place, end
 
 
 def _last_record(tail: bytes) -> int:

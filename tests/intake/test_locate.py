@@ -1,14 +1,18 @@
 """Tests of grader/intake/locate.py: files and folders."""
 
+import gzip
 import os
 import socket
 from pathlib import Path
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from grader.errors import UsageError
 from grader.intake.locate import locate
 from grader.model.stages import Rejected, Submission
+from tests.intake.archives import pax_record, tar_entry, tarred, zipped
 
 CODE = b"void BVH::construct(const Mesh&) {}\n"
 LIMIT = 1024 * 1024
@@ -196,3 +200,41 @@ def test_the_current_folder_has_a_name(tmp_path: Path, monkeypatch: pytest.Monke
     monkeypatch.chdir(tmp_path)
     (tmp_path / NAME).write_bytes(CODE)
     assert accepted(Path()).student == tmp_path.name
+
+
+WHOLE = [
+    zipped([("a.h", b"int a;"), (NAME, CODE)]),
+    zipped([(f"{number}/{NAME}", CODE) for number in range(3)]),
+    tarred([("a.h", b"int a;"), (NAME, CODE)], mode=""),
+    tarred([("long/" * 60 + NAME, CODE), ("a.h", b"int a;")], mode=""),
+    tar_entry(b"x", pax_record(b"path", NAME.encode()), b"x") + tar_entry(b"y", CODE),
+    tarred([("a.h", b"int a;"), (NAME, CODE)]),
+]
+Change = tuple[float, float, bytes]
+changes = st.tuples(st.floats(0, 1), st.floats(0, 1), st.binary(max_size=12))
+
+
+@given(st.sampled_from(WHOLE), st.lists(changes, min_size=1, max_size=8), st.booleans())
+def test_damage_is_always_a_students_fault(
+    tmp_path_factory: pytest.TempPathFactory, whole: bytes, cuts: list[Change], packed: bool
+) -> None:
+    """Pieces are overwritten, repeated, moved and lost: a value comes out and no exception."""
+    content = whole
+    for start, length, new in cuts:
+        at = int(start * len(content))
+        end = at + (len(new) if length < 0.8 else int((length - 0.8) * len(content)))
+        content = content[:at] + new + content[end:]
+    path = tmp_path_factory.getbasetemp() / "damaged"
+    path.write_bytes(gzip.compress(content) if packed else content)
+    assert isinstance(locate(path, LIMIT), Submission | Rejected)
+
+
+@given(st.binary(max_size=2000), st.sampled_from(["", "PK\3\4", "PK\5\6", "\x1f\x8b\b\0"]))
+def test_any_bytes_are_a_submission_or_are_refused(
+    tmp_path_factory: pytest.TempPathFactory, content: bytes, start: str
+) -> None:
+    """Also behind the marks of archives."""
+    for name in ("any", "any.cpp"):
+        path = tmp_path_factory.getbasetemp() / name
+        path.write_bytes(start.encode("latin-1") + content)
+        assert isinstance(locate(path, LIMIT), Submission | Rejected)
