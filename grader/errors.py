@@ -6,7 +6,8 @@ GraderError                      shown as one sentence; exit status 3
 |-- BuildFault                   our own framework or reference did not build
 |-- WorkerFault                  the process around a submission failed for our own reason
 |-- OracleFault                  two of our own witnesses disagree, or a reference is stale
-`-- OutputFault                  a result could not be written
+|-- OutputFault                  a result could not be written
+`-- Interrupted                  the grader was asked to stop
 
 A student's fault is a value (`Rejected`, `Build`, `Stop`, `Finding`), so no `except` in this
 code base can turn one into the other.
@@ -39,3 +40,7 @@ class OracleFault(GraderError):
 
 class OutputFault(GraderError):
     """A result could not be written where it was asked for."""
+
+
+class Interrupted(GraderError):
+    """The grader was asked to stop while it worked; nothing is concluded."""

@@ -7,20 +7,25 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from grader.build.compile import compile_submission
+from grader.build.compile import Compilation, compile_submission
 from grader.build.compiler import find_compiler, sanitizer_runtime
 from grader.intake.locate import locate
 from grader.model.cases import BuildCase, Case, DepthCase, SourceCase, WorkCase
-from grader.model.grade import Grade, Rubric
+from grader.model.grade import Grade, Limits, Rubric
 from grader.model.stages import Build, Rejected, Submission
 from grader.model.trials import AlteredTrial, ConstructTrial, ImageTrial, Trial, WorkTrial
 from grader.oracle.plan import Plan, depth_trial, make_plan
 from grader.run.session import Engine
 from grader.run.trials import LARGE_MESH, Budget, Engines, part_of, run_trials
+from grader.sandbox.box import Isolation
+from grader.sandbox.selftest import proved_isolation, unconfined
 from grader.selection import select
 from grader.solution import Solution
 from grader.summary import Progress, Summary
 from grader.verify.structure import ends_at_the_limit
+
+_RESERVE = 0.1
+"""Share of the time limit that is kept for judging what the last workers brought."""
 
 LARGE_PICTURE = 100_000
 """A mesh of more faces is not tried where `intersect` has been seen to test most of them."""
@@ -36,6 +41,12 @@ class Options:
     """Ids of the checks to run; empty for all."""
 
     progress: Progress
+    time_limit: float | None = None
+    """Wall seconds after which the grade is there, whatever the submission does; None takes
+    the rubric's."""
+
+    isolated: bool = True
+    """False only if the caller insists on running code without isolation."""
 
 
 def grade_one(path: Path, options: Options) -> Grade:
@@ -46,21 +57,24 @@ def grade_one(path: Path, options: Options) -> Grade:
         GraderError: Our own fault; nothing is concluded about the submission.
     """
     selection = select(options.rubric, options.only)
-    summary = Summary(selection, options.seed, options.progress)
-    submission = locate(path, selection.rubric.limits.source_kib << 10)
+    limits = selection.rubric.limits
+    level = _isolation(options).level
+    summary = Summary(selection, options.seed, options.progress, level.value)
+    submission = locate(path, limits.source_kib << 10)
     if isinstance(submission, Rejected):
         summary.examine([BuildCase("build", (submission.reason,))])
         return summary.grade(submission, None, ())
     with tempfile.TemporaryDirectory(prefix="bvhgrade-") as folder:
         with summary.stage("build and plan"):
-            build, plan, solution = _prepare(submission, Path(folder), options.seed, summary)
+            order = _compilation(Path(folder), limits, options)
+            build, plan, solution = _prepare(submission, order, options.seed, summary)
         summary.examine(_build_cases(build))
         if build.library is None:
             return summary.grade(submission, build, ())
         trials = selection.useful([_as_read(trial, selection.rubric) for trial in plan.trials])
         summary.broken(plan.faults)
         with summary.stage("run and verify"):
-            run = _Run(build, solution, selection.rubric, options)
+            run = _Run(build, solution, selection.rubric, options, summary.elapsed())
             first, then = _waves(trials)
             summary.examine(run.cases(first))
             summary.examine(run.cases([trial for trial in then if _hopeful(trial, summary)]))
@@ -69,12 +83,28 @@ def grade_one(path: Path, options: Options) -> Grade:
         return summary.grade(submission, build, (*trials, *further))
 
 
+def _isolation(options: Options) -> Isolation:
+    return proved_isolation() if options.isolated else unconfined()
+
+
+def _time_limit(limits: Limits, options: Options) -> float:
+    return options.time_limit or limits.total_seconds
+
+
+def _compilation(folder: Path, limits: Limits, options: Options) -> Compilation:
+    """Leave half of the time to the runs: what is compiled twice in a row has to fit."""
+    most = max(1, int(_time_limit(limits, options) / 4))
+    wall_seconds = min(limits.compiler.wall_seconds, most)
+    hurried = replace(limits.compiler, wall_seconds=wall_seconds)
+    return Compilation(folder, _isolation(options), hurried)
+
+
 def _prepare(
-    submission: Submission, folder: Path, seed: int, summary: Summary
+    submission: Submission, order: Compilation, seed: int, summary: Summary
 ) -> tuple[Build, Plan, Solution]:
     """Compile the submission while the plan of its trials is made."""
     with ThreadPoolExecutor(1) as aside:
-        building = aside.submit(compile_submission, submission, folder)
+        building = aside.submit(compile_submission, submission, order)
         started = time.monotonic()
         solution = Solution()
         plan = make_plan(seed, solution.trees)
@@ -132,12 +162,18 @@ class _Run:
     """The workers of one submission, and what only the order of trials can decide."""
 
     def __init__(
-        self, build: Build, solution: Solution, rubric: Rubric, options: Options
+        self,
+        build: Build,
+        solution: Solution,
+        rubric: Rubric,
+        options: Options,
+        elapsed: float,
     ) -> None:
-        self._engines = _engines(build, rubric)
+        limit = _time_limit(rubric.limits, options)
+        self._engines = _engines(build, rubric.limits, _isolation(options))
+        self._budget = Budget(rubric.limits, limit - _RESERVE * limit - elapsed)
         self._solution = solution
         self._rubric = rubric
-        self._budget = Budget(rubric.limits)
         self._options = options
         self.small_depths: list[DepthCase] = []
         """Trees of the sanitized build, which say something only if they end at its limit."""
@@ -171,15 +207,13 @@ class _Run:
         return (depth_trial(self._options.seed),)
 
 
-def _engines(build: Build, rubric: Rubric) -> Engines:
-    output = rubric.limits.output_kib << 10
+def _engines(build: Build, limits: Limits, isolation: Isolation) -> Engines:
     if build.library is None:
         raise AssertionError("there is a library, or nothing is run")
     runtime = sanitizer_runtime(find_compiler())
 
     def sanitized(library: Path | None) -> Engine | None:
-        # No limit of the address space: a sanitizer reserves terabytes of it.
-        return Engine(library, 0, output, runtime) if library else None
+        return Engine(library, limits, isolation, runtime) if library else None
 
-    graded = Engine(build.library, rubric.limits.memory_mib, output)
+    graded = Engine(build.library, limits, isolation)
     return Engines(graded, sanitized(build.sanitized), sanitized(build.deep))

@@ -5,9 +5,10 @@ the same folders below `grader/data/`. A checkout wins: an editable install sees
 """
 
 import os
+import stat
 from pathlib import Path
 
-from grader.errors import GraderError, OutputFault
+from grader.errors import GraderError, OutputFault, UsageError
 
 _PACKAGE = Path(__file__).resolve().parent
 
@@ -40,16 +41,58 @@ def scenes_folder(package: Path = _PACKAGE) -> Path:
 
 
 def cache_folder() -> Path:
-    """A folder of this user that survives the run and that nobody else may read.
+    """A folder that survives the run, whose names nobody else can list.
 
-    `BVHGRADE_CACHE` names it; otherwise it is `bvhgrade` in `XDG_CACHE_HOME` or `~/.cache`.
+    `BVHGRADE_CACHE` names it. Otherwise it is /var/cache/bvhgrade for root, because submissions
+    are then compiled by another user, and `bvhgrade` in `XDG_CACHE_HOME` or `~/.cache` else.
+
+    Raises:
+        OutputFault: If it cannot be created.
+        UsageError: If somebody else could have filled it.
+    """
+    folder = _cache_path()
+    if folder.is_dir() and _is_strange(folder):
+        raise UsageError(
+            f"cache folder {folder}: others may write to it, but what lies there is believed; "
+            "set BVHGRADE_CACHE to a folder of your own"
+        )
+    return _made(folder, 0o711)
+
+
+def _is_strange(folder: Path) -> bool:
+    state = folder.stat()
+    return state.st_uid != os.geteuid() or bool(state.st_mode & 0o022)
+
+
+def is_root() -> bool:
+    """This process may become any user."""
+    return os.geteuid() == 0
+
+
+def shared_cache(name: str) -> Path:
+    """A folder in the cache that confined processes may read too.
 
     Raises:
         OutputFault: If it cannot be created.
     """
-    folder = _cache_path()
+    return _made(cache_folder() / name, 0o755)
+
+
+def private_cache(name: str) -> Path:
+    """A folder in the cache for answers and the like, which only the grader's user may read.
+
+    Raises:
+        OutputFault: If it cannot be created.
+    """
+    return _made(cache_folder() / name, 0o700)
+
+
+def _made(folder: Path, mode: int) -> Path:
     try:
-        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+        folder.mkdir(mode=mode, parents=True, exist_ok=True)
+        # The mode of mkdir is cut by the caller's umask, and the folder may be an older one.
+        if stat.S_IMODE(folder.stat().st_mode) != mode:
+            folder.chmod(mode)
     except OSError as fault:
         raise OutputFault(
             f"cache folder {folder}: {fault.strerror}, but the grader keeps its compiled "
@@ -61,6 +104,8 @@ def cache_folder() -> Path:
 def _cache_path() -> Path:
     if named := os.environ.get("BVHGRADE_CACHE"):
         return Path(named).absolute()
+    if is_root():
+        return Path("/var/cache/bvhgrade")
     if shared := os.environ.get("XDG_CACHE_HOME"):
         return Path(shared).absolute() / "bvhgrade"
     return Path.home() / ".cache" / "bvhgrade"

@@ -14,12 +14,17 @@ from grader.model.trials import ConstructTrial, Trial, WorkTrial
 from grader.oracle.remember import digest_of, remember
 from grader.run.session import Engine
 from grader.run.trials import Budget, Engines, run_trials
+from grader.sandbox.selftest import unconfined
 
 GENEROUS = Limits(
     small_seconds=60.0,
     large_seconds=300.0,
+    wall_factor=3.0,
     total_seconds=3600.0,
     memory_mib=4096,
+    tasks=64,
+    open_files=64,
+    stack_mib=16,
     output_kib=64,
     source_kib=1024,
 )
@@ -66,9 +71,11 @@ class Solution:
         return next(case.bvh for case in cases if isinstance(case, TreeCase))
 
     def _run(self, trials: Sequence[Trial]) -> list[Case]:
-        engine = Engine(self._library, GENEROUS.memory_mib, GENEROUS.output_kib << 10)
+        engine = Engine(self._library, GENEROUS, unconfined())
         cases: list[Case] = []
-        for delivered in run_trials(trials, Engines(engine), Budget(GENEROUS), _silent):
+        for delivered in run_trials(
+            trials, Engines(engine), Budget(GENEROUS, GENEROUS.total_seconds), _silent
+        ):
             cases += delivered
         for case in cases:
             if isinstance(case, SurvivalCase) and case.ending.stop is not Stop.FINISHED:

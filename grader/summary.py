@@ -14,7 +14,7 @@ from grader.model.trials import Trial
 from grader.model.verdict import Evidence, Finding, Verdict
 from grader.oracle.scenes import scenes_sha256
 from grader.run.trials import part_of
-from grader.sandbox.launch import DROPPED
+from grader.sandbox.streams import DROPPED
 from grader.score.points import final_score, score_checks, score_parts
 from grader.selection import Selection
 from grader.tolerances import FACES_PER_LEAF
@@ -23,15 +23,25 @@ from grader.verify.planned import planned_cases
 from grader.verify.tree import shape
 
 Progress = Callable[[str, int, int], None]
-NOT_ISOLATED = "none"
 
 
 class Summary:
     """What is known of one submission so far."""
 
-    def __init__(self, selection: Selection, seed: int, progress: Progress) -> None:
+    def __init__(
+        self, selection: Selection, seed: int, progress: Progress, isolation: str
+    ) -> None:
+        """Begin with nothing.
+
+        Args:
+            selection: The checks and what they are worth.
+            seed: What meshes and rays are drawn from.
+            progress: Is told which stage has begun.
+            isolation: Name of the level that submissions run at.
+        """
         self._selection = selection
         self._seed = seed
+        self._isolation = isolation
         self._progress = progress
         self._examiner = Examiner(selection.checks)
         self._findings: list[Finding] = []
@@ -43,6 +53,10 @@ class Summary:
         self._flooded = 0
         self.plan_seconds = 0.0
         """Wall seconds that the plan of the trials took."""
+
+    def elapsed(self) -> float:
+        """Wall seconds since the grade began."""
+        return time.monotonic() - self._begun
 
     @contextmanager
     def stage(self, name: str) -> Iterator[None]:
@@ -146,7 +160,7 @@ class Summary:
             seed=self._seed,
             compiler=build.compiler if build else "",
             flags=build.flags if build else (),
-            isolation=NOT_ISOLATED,
+            isolation=self._isolation,
             cpu=cpu_name(),
         )
 

@@ -4,17 +4,27 @@ from hashlib import sha256
 from pathlib import Path
 
 from grader import resources
-from grader.build.compile import call_graph, compile_reference, compile_submission
+from grader.build.compile import (
+    Compilation,
+    call_graph,
+    compile_reference,
+    compile_submission,
+    prepared,
+)
 from grader.build.compiler import find_compiler
-from grader.build.diagnostics import SOURCE_NAME
 from grader.build.workspace import GRADED, workspace
+from grader.model.grade import CompileLimits
 from grader.model.stages import Build, CallGraph, Submission
+from grader.run.session import Allowance, Engine
+from grader.sandbox.selftest import unconfined
+from grader.score.rubric import load_rubric
 
 BEGIN = '#include "bvh.h"\n#include "intersection.h"\n#include "mesh.h"\n'
 """Three lines; a test's own source begins in line 4."""
 
 INTERSECT = "Intersection intersect(const Mesh&, const IntersectionRay&) { return {}; }\n"
 CONSTRUCT = "void BVH::construct(const Mesh&) { nodes.clear(); }\n"
+PATIENT = Allowance(60.0, 180.0)
 STARTER = resources.stub_folder() / "src" / "exercise03.cpp"
 
 
@@ -24,9 +34,19 @@ def submission_of(source: str) -> Submission:
     return Submission("student", "exercise03.cpp", text, sha256(text).hexdigest())
 
 
+def compilation(folder: Path) -> Compilation:
+    """Compile in a folder with the usual limits; the levels have tests of their own."""
+    return Compilation(folder, unconfined(), CompileLimits())
+
+
+def engine_of(library: Path, preload: str = "") -> Engine:
+    """Make an engine with the limits of the shipped rubric."""
+    return Engine(library, load_rubric().limits, unconfined(), preload)
+
+
 def whole_build(source: str, folder: Path) -> Build:
     """Build everything that a grade needs."""
-    return compile_submission(submission_of(source), folder / "whole")
+    return compile_submission(submission_of(source), compilation(folder / "whole"))
 
 
 def library_of(source: str, folder: Path) -> Path:
@@ -36,8 +56,7 @@ def library_of(source: str, folder: Path) -> Path:
 
 def graph_of(source: str, folder: Path) -> CallGraph:
     """Read the call graph only, of a source that must compile."""
-    (folder / SOURCE_NAME).parent.mkdir()
-    (folder / SOURCE_NAME).write_text(source)
-    graph = call_graph(workspace(find_compiler(), GRADED), folder)
+    work = prepared(submission_of(source), compilation(folder))
+    graph = call_graph(workspace(find_compiler(), GRADED), work)
     assert graph
     return graph

@@ -1,6 +1,8 @@
 """What holds for every test: a test that cannot run is red."""
 
 import os
+import shutil
+import tempfile
 from collections.abc import Generator
 from pathlib import Path
 
@@ -12,15 +14,29 @@ settings.register_profile("grader", deadline=None, derandomize=True)
 settings.load_profile("grader")
 
 
+SHARED = "BVHGRADE_TESTS_SHARE"
+"""Names the cache of a run to all processes of pytest-xdist, which inherit the environment."""
+
+
+def pytest_configure() -> None:
+    """Make the cache of this run, outside of pytest's folders, which no box can enter."""
+    if SHARED not in os.environ:
+        os.environ[SHARED] = tempfile.mkdtemp(prefix="bvhgrade-tests-")
+
+
+def pytest_unconfigure() -> None:
+    """Remove it once the process that made it ends."""
+    if "PYTEST_XDIST_WORKER" not in os.environ and SHARED in os.environ:
+        shutil.rmtree(os.environ.pop(SHARED), ignore_errors=True)
+
+
 @pytest.fixture(scope="session")
-def cache(tmp_path_factory: pytest.TempPathFactory) -> Generator[Path]:
+def cache() -> Generator[Path]:
     """Give an empty cache of the grader, shared by all tests and all processes of this run."""
-    own = tmp_path_factory.getbasetemp()
-    # Each process of pytest-xdist has a folder of its own below that of the run.
-    shared = own.parent if "PYTEST_XDIST_WORKER" in os.environ else own
+    shared = Path(os.environ[SHARED])
     with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("BVHGRADE_CACHE", str(shared / "cache"))
-        yield shared / "cache"
+        patch.setenv("BVHGRADE_CACHE", str(shared))
+        yield shared
 
 
 @pytest.hookimpl(wrapper=True)

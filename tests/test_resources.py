@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from grader import resources
-from grader.errors import GraderError, OutputFault
+from grader.errors import GraderError, OutputFault, UsageError
 
 
 def made(root: Path, *, checkout: bool) -> Path:
@@ -66,16 +66,17 @@ def test_a_damaged_installation_is_named(tmp_path: Path) -> None:
 def test_the_cache_is_where_the_user_wants_it(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, variables: dict[str, str], expected: str
 ) -> None:
-    """Own variable first, then the usual one, then the home; nobody else may look in."""
+    """Own variable first, then the usual one, then the home; nobody else may list it."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("HOME", str(tmp_path / "home"))
     for name in ("BVHGRADE_CACHE", "XDG_CACHE_HOME"):
         monkeypatch.delenv(name, raising=False)
     for name, value in variables.items():
         monkeypatch.setenv(name, value)
+    monkeypatch.setattr(resources, "is_root", lambda: False)
     folder = resources.cache_folder()
     assert folder == tmp_path / expected
-    assert stat.S_IMODE(folder.stat().st_mode) == 0o700
+    assert stat.S_IMODE(folder.stat().st_mode) == 0o711
     assert resources.cache_folder() == folder
 
 
@@ -86,4 +87,38 @@ def test_a_cache_that_cannot_be_made_is_named(
     (tmp_path / "file").touch()
     monkeypatch.setenv("BVHGRADE_CACHE", str(tmp_path / "file" / "cache"))
     with pytest.raises(OutputFault, match="set BVHGRADE_CACHE"):
+        resources.cache_folder()
+
+
+def test_the_cache_of_root_can_be_entered(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Another user compiles for root, and the home of root is closed."""
+    monkeypatch.delenv("BVHGRADE_CACHE", raising=False)
+    monkeypatch.setenv("XDG_CACHE_HOME", "/root/.cache")
+    monkeypatch.setattr(resources, "is_root", lambda: True)
+    made: list[Path] = []
+    monkeypatch.setattr(resources, "_made", lambda folder, mode: made.append(folder) or folder)
+    assert resources.cache_folder() == Path("/var/cache/bvhgrade")
+    assert made == [Path("/var/cache/bvhgrade")]
+
+
+def test_the_parts_of_the_cache_are_open_or_closed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Answers are for the grader alone, also where an older version left the folder open."""
+    monkeypatch.setenv("BVHGRADE_CACHE", str(tmp_path))
+    (tmp_path / "oracle").mkdir(mode=0o755)
+    modes = [
+        stat.S_IMODE(folder.stat().st_mode)
+        for folder in (resources.private_cache("oracle"), resources.shared_cache("framework"))
+    ]
+    assert modes == [0o700, 0o755]
+
+
+def test_a_cache_that_others_can_write_is_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What lies there is run and believed."""
+    monkeypatch.setenv("BVHGRADE_CACHE", str(tmp_path))
+    tmp_path.chmod(0o777)
+    with pytest.raises(UsageError, match="others may write to it"):
         resources.cache_folder()

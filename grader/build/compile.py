@@ -8,16 +8,36 @@ from pathlib import Path
 from grader.build.callgraph import read_assembly
 from grader.build.compiler import find_compiler
 from grader.build.diagnostics import SOURCE_NAME, read_diagnostics
+from grader.build.product import adopted
+from grader.build.stopped import why_stopped
 from grader.build.workspace import GRADED, SANITIZED, Workspace, workspace
 from grader.errors import BuildFault
+from grader.model.grade import CompileLimits
 from grader.model.stages import Build, CallGraph, Diagnostic, Submission
-from grader.sandbox.launch import Order, Outcome, launch
+from grader.sandbox.box import Bounds, Box, Isolation
+from grader.sandbox.confine import Target, confined
+from grader.sandbox.launch import Outcome
+from grader.sandbox.selftest import unconfined
+from grader.sandbox.stage import staged
 
-COMPILE_SECONDS = 60.0
-LINK_SECONDS = 30.0
-KEPT_OUTPUT = 64 << 10
 PLAIN_MESSAGES = ("-fdiagnostics-color=never", "-fmax-errors=20")
 """More errors teach nothing new, and each unknown name is compared with all known ones."""
+
+DEEP = "deep"
+_GRAPH = "graph"
+_STACK_BYTES = 64 << 20
+_OPEN_FILES = 256
+
+
+@dataclass(frozen=True, slots=True)
+class Compilation:
+    """Where, how confined and within which limits a submission is compiled."""
+
+    folder: Path
+    """A folder of our own."""
+
+    isolation: Isolation
+    limits: CompileLimits
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,12 +48,13 @@ class _Linked:
     diagnostics: tuple[Diagnostic, ...]
 
 
-def compile_submission(submission: Submission, folder: Path) -> Build:
-    """Build the graded and the sanitized library and the call graph of one submission.
+def compile_submission(submission: Submission, order: Compilation) -> Build:
+    """Build the graded and the sanitized libraries and the call graph of one submission.
 
     Args:
         submission: The file to compile.
-        folder: An empty folder of our own, kept as long as the libraries are used.
+        order: Where and within which limits; the folder is kept as long as the libraries are
+            used.
 
     Raises:
         MissingTool: There is no compiler.
@@ -41,18 +62,18 @@ def compile_submission(submission: Submission, folder: Path) -> Build:
     """
     compiler = find_compiler()
     started = time.monotonic()
-    source = folder / SOURCE_NAME
-    source.parent.mkdir(parents=True)
-    source.write_bytes(submission.source)
+    work = prepared(submission, order)
     with ThreadPoolExecutor(2) as pool:
-        flavours = (GRADED, SANITIZED)
-        frameworks = list(pool.map(lambda each: workspace(compiler, each), flavours))
-        plain = pool.submit(_link, frameworks[0], folder, GRADED.name)
-        sanitized = pool.submit(_link, frameworks[1], folder, SANITIZED.name)
-        deep = pool.submit(_link, _with_real_depth(frameworks[1]), folder, "deep")
-        graph = pool.submit(call_graph, frameworks[0], folder)
-    linked = plain.result()
-    compiled = linked.library is not None
+        frameworks = list(pool.map(lambda each: workspace(compiler, each), (GRADED, SANITIZED)))
+        deep_framework = _with_real_depth(frameworks[1])
+        plain = pool.submit(_link, frameworks[0], work, GRADED.name)
+        sanitized = pool.submit(_link, frameworks[1], work, SANITIZED.name)
+        deep = pool.submit(_link, deep_framework, work, DEEP)
+        graph = pool.submit(call_graph, frameworks[0], work)
+        linked = plain.result()
+        compiled = linked.library is not None
+        if not compiled:
+            pool.shutdown(wait=False, cancel_futures=True)
     return Build(
         library=linked.library,
         # A file may insist on the real depth limit, by static_assert.
@@ -66,10 +87,19 @@ def compile_submission(submission: Submission, folder: Path) -> Build:
     )
 
 
+def prepared(submission: Submission, work: Compilation) -> Compilation:
+    """Lay out the folder of a submission: its source, which all may read, and room for ours."""
+    source = work.folder / SOURCE_NAME
+    for folder in (work.folder, source.parent, work.folder / "libraries"):
+        folder.mkdir(parents=True, exist_ok=True)
+        folder.chmod(0o711)
+    source.write_bytes(submission.source)
+    source.chmod(0o644)
+    return work
+
+
 def _with_real_depth(framework: Workspace) -> Workspace:
-    return replace(
-        framework, compile_command=(*framework.compile_command, "-UEX03_MAX_DEPTH")
-    )
+    return replace(framework, compile_command=(*framework.compile_command, "-UEX03_MAX_DEPTH"))
 
 
 def compile_reference(submission: Submission, folder: Path) -> Path:
@@ -78,10 +108,8 @@ def compile_reference(submission: Submission, folder: Path) -> Path:
     Raises:
         BuildFault: It does not compile.
     """
-    source = folder / SOURCE_NAME
-    source.parent.mkdir(parents=True)
-    source.write_bytes(submission.source)
-    linked = _link(workspace(find_compiler(), GRADED), folder, GRADED.name)
+    work = prepared(submission, Compilation(folder, unconfined(), CompileLimits()))
+    linked = _link(workspace(find_compiler(), GRADED), work, GRADED.name)
     if linked.library is None:
         message = f"the reference does not compile: {linked.diagnostics[:3]}"
         raise BuildFault(message)
@@ -97,39 +125,56 @@ def _flags(framework: Workspace) -> tuple[str, ...]:
     )
 
 
-def _link(framework: Workspace, folder: Path, name: str) -> _Linked:
+def _link(framework: Workspace, work: Compilation, name: str) -> _Linked:
     """Compile and link one flavour; whatever goes wrong is the submission's fault."""
-    result = folder / f"{name}.o"
-    step = [*framework.compile_command, *PLAIN_MESSAGES, "-c", SOURCE_NAME, "-o", str(result)]
-    compiled = launch(Order(step, COMPILE_SECONDS, KEPT_OUTPUT, folder))
-    messages = _messages(compiled, "compiling", COMPILE_SECONDS)
-    if compiled.code != 0:
+    product = f"{name}.so"
+    # The submission comes first, so that its functions win over the weak stand-ins.
+    command = (*framework.compile_command, SOURCE_NAME, *framework.link_words)
+    outcome, content = _made(command, framework, work, product)
+    messages = read_diagnostics(outcome.err)
+    if content is None:
+        if not any(message.severity == "error" for message in messages):
+            messages += (Diagnostic(0, 0, "error", why_stopped(outcome, work.limits)),)
         return _Linked(None, messages)
-    library = folder / f"{name}.so"
-    # The submission's object comes first, so that its functions win over the weak stand-ins.
-    head, *rest = framework.link_command
-    step = [head, str(result), *rest, "-o", str(library)]
-    linked = launch(Order(step, LINK_SECONDS, KEPT_OUTPUT, folder))
-    messages += _messages(linked, "linking", LINK_SECONDS)
-    return _Linked(library if linked.code == 0 else None, messages)
+    library = work.folder / "libraries" / product
+    library.write_bytes(content)
+    library.chmod(0o644)
+    return _Linked(library, messages)
 
 
-def _messages(outcome: Outcome, doing: str, seconds: float) -> tuple[Diagnostic, ...]:
-    """Say why a step failed, even if the compiler itself did not."""
-    found = read_diagnostics(outcome.err)
-    if outcome.code == 0 or any(message.severity == "error" for message in found):
-        return found
-    text = f"{doing} ended with status {outcome.code}"
-    if outcome.timed_out:
-        text = f"{doing} took longer than {seconds:.0f} s"
-    return (*found, Diagnostic(0, 0, "error", text))
-
-
-def call_graph(framework: Workspace, folder: Path) -> CallGraph | None:
+def call_graph(framework: Workspace, work: Compilation) -> CallGraph | None:
     """Ask the front end who calls whom; None if it does not get through the file."""
-    result = folder / "graph.s"
-    step = [*framework.graph_command, *PLAIN_MESSAGES, "-S", SOURCE_NAME, "-o", str(result)]
-    outcome = launch(Order(step, COMPILE_SECONDS, KEPT_OUTPUT, folder))
-    if outcome.code != 0 or not result.is_file():
-        return None
-    return read_assembly(result.read_bytes())
+    command = (*framework.graph_command, "-S", SOURCE_NAME)
+    _, content = _made(command, framework, work, f"{_GRAPH}.s")
+    return None if content is None else read_assembly(content)
+
+
+def _made(
+    command: tuple[str, ...], framework: Workspace, work: Compilation, product: str
+) -> tuple[Outcome, bytes | None]:
+    """Run a compiler in a box; its output, and what it made if it succeeded."""
+    limits = work.limits
+    own = work.folder / product.replace(".", "-")
+    own.mkdir(mode=0o700)
+    bounds = Bounds(
+        cpu_seconds=limits.seconds,
+        memory_bytes=limits.memory_mib << 20,
+        file_bytes=limits.file_mib << 20,
+        open_files=_OPEN_FILES,
+        tasks=limits.tasks,
+        stack_bytes=_STACK_BYTES,
+    )
+    readable = (work.folder / "src", framework.folder, *framework.compiler_folders)
+    box = Box((*readable, staged().parent), bounds, own, starts_programs=True)
+    program, *words = command
+    target = Target(
+        program=program,
+        arguments=[*words, *PLAIN_MESSAGES, "-o", str(own / product)],
+        seconds=limits.wall_seconds,
+        output_bytes=limits.output_kib << 10,
+        folder=work.folder,
+        environment={"TMPDIR": str(own)},
+    )
+    outcome = confined(target, box, staged(), work.isolation)
+    made = outcome.code == 0 and not outcome.timed_out
+    return outcome, adopted(own, product, limits.file_mib << 20) if made else None

@@ -25,7 +25,7 @@ def reference_library() -> Path:
     source = resources.reference_source().read_bytes()
     framework = workspace(find_compiler(), GRADED)
     digest = hashlib.sha256(source + repr(framework).encode()).hexdigest()
-    folder = resources.cache_folder() / "reference"
+    folder = resources.private_cache("reference")
     library = folder / f"{digest[:24]}.so"
     if not library.exists():
         folder.mkdir(parents=True, exist_ok=True)

@@ -13,6 +13,7 @@ if its last step, a stamp, was written.
 import fcntl
 import hashlib
 import json
+import os
 import shlex
 import shutil
 from collections.abc import Iterator, Sequence
@@ -65,8 +66,14 @@ class Workspace:
     graph_command: tuple[str, ...]
     """The same without optimisation, so that the call graph holds every call; never run."""
 
-    link_command: tuple[str, ...]
-    """Compiler, flags and the framework's objects, without the submission and the output."""
+    link_words: tuple[str, ...]
+    """Flags and the framework's objects, without compiler, submission and output."""
+
+    folder: Path
+    """Where all of it lies."""
+
+    compiler_folders: tuple[Path, ...]
+    """Where the compiler lies, if not among the system's programs."""
 
 
 def workspace(compiler: Compiler, flavour: Flavour) -> Workspace:
@@ -77,13 +84,14 @@ def workspace(compiler: Compiler, flavour: Flavour) -> Workspace:
         MissingTool: CMake or make is not installed.
     """
     stub = resources.stub_folder()
-    folder = resources.cache_folder() / "framework" / _key(stub, compiler, flavour)
+    folder = resources.shared_cache("framework") / _key(stub, compiler, flavour)
     stamp = folder / "complete"
     with _locked(folder.with_suffix(".lock")):
         if not stamp.exists():
             shutil.rmtree(folder, ignore_errors=True)
             _compile_framework(stub, folder, compiler, flavour)
             _precompile(folder, compiler, flavour)
+            _let_all_read(folder)
             stamp.touch()
     return _read_commands(folder)
 
@@ -150,6 +158,15 @@ def _precompile(folder: Path, compiler: Compiler, flavour: Flavour) -> None:
         _step([*command, "-x", "c++-header", str(header), "-o", str(output)], compiler)
 
 
+def _let_all_read(folder: Path) -> None:
+    """Whatever the caller's umask: a confined compiler may be another user."""
+    for root, _, names in os.walk(folder):
+        Path(root).chmod(0o755)
+        for name in names:
+            path = Path(root) / name
+            path.chmod(path.stat().st_mode | 0o444)
+
+
 def _step(command: Sequence[str], compiler: Compiler) -> None:
     outcome = launch(Order(command, FRAMEWORK_SECONDS))
     if outcome.code != 0 or outcome.timed_out:
@@ -177,8 +194,16 @@ def _read_commands(folder: Path) -> Workspace:
     return Workspace(
         compile_command=(*plain, *_included(folder / STANDARD_HEADERS)),
         graph_command=(*graph, *_included(folder / GRAPH_HEADERS)),
-        link_command=tuple(objects),
+        link_words=tuple(objects[1:]),
+        folder=folder,
+        compiler_folders=_elsewhere(Path(words[0])),
     )
+
+
+def _elsewhere(compiler: Path) -> tuple[Path, ...]:
+    """Folder above `bin` of a compiler that is none of the system's."""
+    real = compiler.resolve()
+    return () if real.is_relative_to("/usr") else (real.parent.parent,)
 
 
 def _included(header: Path) -> tuple[str, ...]:

@@ -21,24 +21,55 @@ class Criterion:
 
 
 @dataclass(frozen=True, slots=True)
+class CompileLimits:
+    """How much compiling one submission once may use."""
+
+    seconds: int = 30
+    """CPU seconds of each process."""
+
+    wall_seconds: int = 60
+    memory_mib: int = 3072
+    """Address space of each process."""
+
+    file_mib: int = 256
+    """Largest file that may be written."""
+
+    tasks: int = 32
+    output_kib: int = 64
+    """How much of the messages is kept."""
+
+
+@dataclass(frozen=True, slots=True)
 class Limits:
     """How much one worker may use."""
 
     small_seconds: float
-    """Wall time of a worker on meshes below 20,000 faces."""
+    """CPU seconds of a worker on meshes below 20,000 faces, all its threads together."""
 
     large_seconds: float
-    """Wall time of a worker on larger meshes and of pictures."""
+    """CPU seconds of a worker on larger meshes and of pictures."""
+
+    wall_factor: float
+    """Wall time of a worker in multiples of its CPU time: load is nobody's fault."""
 
     total_seconds: float
-    """Wall time of all workers of one submission together."""
+    """Wall time of a whole grade."""
 
     memory_mib: int
+    """Address space of a worker; of a sanitized one, beyond what the sanitizer reserves."""
+
+    tasks: int
+    """Threads of a worker, its first one included."""
+
+    open_files: int
+    stack_mib: int
     output_kib: int
     """How much of the printed output is kept."""
 
     source_kib: int
     """Largest source file that is accepted."""
+
+    compiler: CompileLimits = CompileLimits()
 
 
 @dataclass(frozen=True, slots=True)

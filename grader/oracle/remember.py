@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from grader.resources import cache_folder
+from grader.resources import private_cache
 
 Arrays = Mapping[str, npt.NDArray[Any]]
 LARGEST = 2 << 30
@@ -52,7 +52,7 @@ def remember(key: str, compute: Callable[[], Arrays]) -> Arrays:
         key: From `digest_of`, of everything that the arrays depend on.
         compute: Computes the arrays.
     """
-    folder = cache_folder() / "oracle"
+    folder = private_cache("oracle")
     path = folder / key
     arrays = _read(path)
     if arrays is None:

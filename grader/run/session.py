@@ -3,26 +3,31 @@
 import math
 import re
 import signal
-import sys
 from dataclasses import dataclass
 from pathlib import Path
 
+from grader.model.grade import Limits
 from grader.model.stages import Ending, Stop
 from grader.run.job import Job, Result
 from grader.run.protocol import ERROR_CAPACITY, ERROR_OFFSET, Status
-from grader.sandbox.launch import PLAIN_ENVIRONMENT, Order, Outcome, launch
+from grader.sandbox.box import Bounds, Box, Isolation
+from grader.sandbox.confine import Target, confined
+from grader.sandbox.launch import Outcome
+from grader.sandbox.stage import staged
 
-WORKER = Path(__file__).with_name("worker.py")
-MIB = 1 << 20
-CPU_SECONDS_PER_SECOND = 3
-"""CPU limit as a multiple of the wall limit: submissions may use threads."""
+MODULES = tuple(
+    Path(__file__).with_name(f"{name}.py") for name in ("worker", "protocol", "abi")
+)
+"""What a worker is made of: `worker` is what it becomes once it is confined."""
+
+FILE_BYTES = 1 << 20
+"""A worker writes no file; the pages of its result do not count."""
 
 SANITIZER_EXIT = 86
 SANITIZER_ENVIRONMENT = {
     # An assertion ends in abort: handled, it leaves a stack with the student's line.
     "ASAN_OPTIONS": f"detect_leaks=0:exitcode={SANITIZER_EXIT}:max_allocation_size_mb=2048:"
-    "handle_abort=1:"
-    "hard_rss_limit_mb=3072:allocator_may_return_null=1:detect_odr_violation=0",
+    "handle_abort=1:allocator_may_return_null=1:detect_odr_violation=0",
     "UBSAN_OPTIONS": f"print_stacktrace=1:exitcode={SANITIZER_EXIT}",
 }
 
@@ -43,47 +48,68 @@ class Engine:
     """A library to run workers on, and what a worker may use."""
 
     library: Path
-    memory_mib: int
-    """Address space; 0 for a sanitized library, which reserves terabytes."""
-
-    output_bytes: int
+    limits: Limits
+    isolation: Isolation
     preload: str = ""
     """Shared sanitizer runtime; empty for a plain library."""
 
 
-def run_job(job: Job, engine: Engine, seconds: float) -> tuple[Ending, Result | None]:
+@dataclass(frozen=True, slots=True)
+class Allowance:
+    """How long one worker may take."""
+
+    cpu_seconds: float
+    """Of all its threads together."""
+
+    wall_seconds: float
+
+
+def run_job(job: Job, engine: Engine, allowed: Allowance) -> tuple[Ending, Result | None]:
     """Carry out a job in a fresh process.
 
     Returns:
         How it ended, and the result if every row was carried out.
 
     Raises:
-        WorkerFault: There is no memory for the input.
+        WorkerFault: There is no memory for the input, or the process could not be confined.
         MissingTool: The interpreter cannot be started.
     """
+    entry = staged(MODULES)
+    environment = {}
+    if engine.preload:
+        environment = {"LD_PRELOAD": engine.preload, **SANITIZER_ENVIRONMENT}
     with job.files() as (given, result_file):
-        cpu_seconds = math.ceil(seconds * CPU_SECONDS_PER_SECOND)
-        argv = [sys.executable, "-I", "-S", str(WORKER), str(engine.library)]
-        argv += [str(given), str(result_file), str(engine.memory_mib), str(cpu_seconds)]
-        environment = dict(PLAIN_ENVIRONMENT)
-        if engine.preload:
-            environment |= {"LD_PRELOAD": engine.preload, **SANITIZER_ENVIRONMENT}
-        order = Order(
-            argv,
-            seconds,
-            engine.output_bytes,
+        target = Target(
+            program="worker",
+            arguments=[str(engine.library), str(given), str(result_file)],
+            seconds=allowed.wall_seconds,
+            output_bytes=engine.limits.output_kib << 10,
             descriptors=(given, result_file),
             environment=environment,
         )
-        outcome = launch(order)
+        box = Box((entry.parent, engine.library), _bounds(engine, allowed))
+        outcome = confined(target, box, entry, engine.isolation)
         result = Result(result_file, job.result_size)
-    ending = _ending(outcome, job, result, seconds)
+    ending = _ending(outcome, job, result, allowed)
     return ending, result if ending.stop is Stop.FINISHED else None
 
 
-def _ending(outcome: Outcome, job: Job, result: Result, seconds: float) -> Ending:
+def _bounds(engine: Engine, allowed: Allowance) -> Bounds:
+    limits = engine.limits
+    return Bounds(
+        cpu_seconds=max(1, math.ceil(allowed.cpu_seconds)),
+        memory_bytes=limits.memory_mib << 20,
+        file_bytes=FILE_BYTES,
+        open_files=limits.open_files,
+        tasks=limits.tasks,
+        stack_bytes=limits.stack_mib << 20,
+        beyond_reserved=bool(engine.preload),
+    )
+
+
+def _ending(outcome: Outcome, job: Job, result: Result, allowed: Allowance) -> Ending:
     finished, status = result.number(16), result.number(24)
-    stop, detail = _stop(outcome, finished == job.row_count, status, result, seconds)
+    stop, detail = _stop(outcome, finished == job.row_count, status, result, allowed)
     text = outcome.err.decode("utf-8", errors="replace")
     finding, line = ("", 0) if stop is Stop.FINISHED else _read_finding(text)
     if outcome.code == SANITIZER_EXIT and not finding and _EXHAUSTED.search(text):
@@ -100,12 +126,12 @@ def _ending(outcome: Outcome, job: Job, result: Result, seconds: float) -> Endin
 
 
 def _stop(
-    outcome: Outcome, complete: bool, status: int, result: Result, seconds: float
+    outcome: Outcome, complete: bool, status: int, result: Result, allowed: Allowance
 ) -> tuple[Stop, str]:
     if outcome.timed_out:
-        return Stop.TIMED_OUT, f"stopped after {seconds:g} s"
+        return Stop.TIMED_OUT, f"stopped after {allowed.wall_seconds:.3g} s"
     if outcome.code < 0:
-        return _killed(-outcome.code)
+        return _killed(-outcome.code, outcome, allowed)
     if status != Status.OK:
         return _failed(status, result)
     if complete and outcome.code == 0:
@@ -115,9 +141,13 @@ def _stop(
     return Stop.CRASHED, f"the program ended itself with exit status {outcome.code}"
 
 
-def _killed(number: int) -> tuple[Stop, str]:
-    if number == signal.SIGXCPU:
-        return Stop.TIMED_OUT, "stopped: too much CPU time"
+def _killed(number: int, outcome: Outcome, allowed: Allowance) -> tuple[Stop, str]:
+    limit = max(1, math.ceil(allowed.cpu_seconds))
+    # A submission may ignore SIGXCPU; one second later it is killed.
+    if number == signal.SIGXCPU or (number == signal.SIGKILL and outcome.cpu_seconds >= limit):
+        return Stop.TIMED_OUT, f"stopped after {limit} s of computing time"
+    if number == signal.SIGSYS:
+        return Stop.FORBIDDEN, "stopped: it made a system call that no program here needs"
     return Stop.CRASHED, f"ended by {_signal_name(number)}"
 
 

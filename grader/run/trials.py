@@ -1,6 +1,5 @@
 """How all trials of a submission are run, two workers at a time, within one budget."""
 
-import math
 import os
 import threading
 import time
@@ -13,16 +12,16 @@ from grader.model.grade import Limits
 from grader.model.stages import Ending, Stop
 from grader.model.trials import ConstructTrial, RebuildTrial, TraceTrial, Trial
 from grader.run.requests import request
-from grader.run.session import Engine, run_job
+from grader.run.session import Allowance, Engine, run_job
 
 LARGE_MESH = 20_000
-"""Meshes of more faces than this get the rubric's larger time limit."""
+"""Meshes of more faces than this get the rubric's larger limit of time."""
 
 HUGE_MESH = 1_000_000
 """Beyond this the time limit grows with the faces."""
 
 WORKERS = 2
-"""More at once would take memory and time from each other, and limits are in wall time."""
+"""More at once would take memory and time from each other."""
 
 HURRIED_SECONDS = 1.0
 PATIENCE = 3
@@ -60,26 +59,31 @@ def is_sanitized(trial: Trial) -> bool:
 class Budget:
     """How long the next worker may take, given what the others used."""
 
-    def __init__(self, limits: Limits) -> None:
+    def __init__(self, limits: Limits, seconds: float) -> None:
+        """Begin now.
+
+        Args:
+            limits: Of each worker.
+            seconds: Wall time of all of them together.
+        """
         self._limits = limits
-        self._deadline = math.inf
+        self._deadline = time.monotonic() + seconds
         self._timeouts = {"a": 0, "b": 0}
         self._lock = threading.Lock()
 
-    def seconds(self, trial: Trial) -> float:
-        """Wall seconds for a trial; 0 if nothing is left."""
+    def allowance(self, trial: Trial) -> Allowance | None:
+        """How long a trial may take; None if no time is left."""
         mesh = trial.first if isinstance(trial, RebuildTrial) else trial.mesh
         faces = len(mesh.faces)
         allowed = self._limits.small_seconds
         if faces > LARGE_MESH:
             allowed = self._limits.large_seconds * max(1.0, faces / HUGE_MESH)
-        now = time.monotonic()
         with self._lock:
-            # The clock starts with the first worker, not while others are still preparing.
-            self._deadline = min(self._deadline, now + self._limits.total_seconds)
             if self._timeouts[part_of(trial)] >= PATIENCE:
                 allowed = HURRIED_SECONDS
-        return max(0.0, min(allowed, self._deadline - now))
+        left = self._deadline - time.monotonic()
+        wall = min(allowed * self._limits.wall_factor, left)
+        return Allowance(allowed, wall) if left > 0 else None
 
     def note(self, trial: Trial, ending: Ending) -> None:
         """Remember how a trial ended."""
@@ -111,14 +115,14 @@ def _run(trial: Trial, engines: Engines, budget: Budget) -> tuple[Case, ...]:
     engine = engines.of(trial)
     if engine is None:
         return ()
-    seconds = budget.seconds(trial)
-    if seconds <= 0:
-        detail = "not run: the time for all meshes together was used up"
+    allowed = budget.allowance(trial)
+    if allowed is None:
+        detail = "not run: the time for the whole submission was used up"
         return _ended(trial, Ending(Stop.TIMED_OUT, detail, 0.0, 0.0, ""))
     asked = request(trial)
     results = []
     for job in asked.jobs:
-        ending, result = run_job(job, engine, seconds)
+        ending, result = run_job(job, engine, allowed)
         if result is None:
             budget.note(trial, ending)
             return _ended(trial, ending)

@@ -1,16 +1,15 @@
 """What runs in the process that holds a submission: carries out rows, decides nothing.
 
-Started as `python -I -S worker.py LIBRARY INPUT_FD RESULT_FD MEMORY_MIB CPU_SECONDS`. It knows
-no expected value, no seed and no name of a check. Whatever the submission does to this process,
-the grader trusts only what it can verify in the result file afterwards.
+enter.py imports it, confines the process and calls `main` with the library and the descriptors
+of input and result. It knows no expected value, no seed and no name of a check. Whatever the
+submission does to this process, the grader trusts only what it can verify in the result file
+afterwards.
 """
 
 import ctypes
 import mmap
 import os
-import resource
-import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 # A constant that type checkers know: importing `typing` would cost every worker 5 ms.
 TYPE_CHECKING = False
@@ -19,13 +18,9 @@ if TYPE_CHECKING:
     from grader.run.protocol import Op, Status
 else:
     # The package is out of reach here: the two files beside this one are all that is needed.
-    sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))  # noqa: PTH100, PTH120 - pathlib costs 8 ms
     import abi
     import protocol
     from protocol import Op, Status
-
-STACK_BYTES = 16 << 20
-FILE_BYTES = 512 << 20
 
 
 class Worker:
@@ -142,22 +137,9 @@ def write_error(result: mmap.mmap, status: int, text: bytes) -> None:
     result[protocol.ERROR_OFFSET : protocol.ERROR_OFFSET + len(cut)] = cut
 
 
-def limit(memory_mib: int, cpu_seconds: int) -> None:
-    """Bound this process before any foreign code is loaded; 0 MiB means no bound."""
-    if memory_mib:
-        resource.setrlimit(resource.RLIMIT_AS, (memory_mib << 20, memory_mib << 20))
-    # One second more in the hard limit makes the end a SIGXCPU and not a SIGKILL.
-    resource.setrlimit(resource.RLIMIT_CPU, (cpu_seconds, cpu_seconds + 1))
-    resource.setrlimit(resource.RLIMIT_FSIZE, (FILE_BYTES, FILE_BYTES))
-    resource.setrlimit(resource.RLIMIT_STACK, (STACK_BYTES, STACK_BYTES))
-    # 1 and not 0: a core_pattern that pipes into a program ignores 0.
-    resource.setrlimit(resource.RLIMIT_CORE, (1, 1))
-
-
-def main() -> None:
+def main(arguments: Sequence[str]) -> None:
     """Map the two files, load the library, carry out the rows, leave without clean-up."""
-    library, given_fd, result_fd, memory_mib, cpu_seconds = sys.argv[1:6]
-    limit(int(memory_mib), int(cpu_seconds))
+    library, given_fd, result_fd = arguments
     given = mmap.mmap(
         int(given_fd), 0, flags=mmap.MAP_PRIVATE, prot=mmap.PROT_READ | mmap.PROT_WRITE
     )
@@ -177,7 +159,3 @@ def main() -> None:
         write_error(result, status, bytes(text[: min(length, len(text))]))
     # Destructors of the submission are nobody's business here, and could crash.
     os._exit(0)
-
-
-if __name__ == "__main__":
-    main()

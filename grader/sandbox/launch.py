@@ -4,28 +4,26 @@ Theory of operation. The child gets its own session, an environment that we spel
 standard input, and only the descriptors that we name. One loop watches three things: the two
 output pipes and a pidfd of the child. Output beyond the cap is read and dropped, so that a
 flood neither blocks the child nor fills our memory. The loop ends when the child ends or its
-time is over, never when the pipes close: a grandchild may hold them for hours. Then the whole
-process group is killed and the child is reaped by wait4, which tells the CPU time that it
-used; nothing in the child can forge that.
+time is over, never when the pipes close: a grandchild may hold them for hours. Then everything
+that was started is killed and reaped, which tells the CPU time that it used.
 """
 
 import os
 import selectors
 import signal
 import subprocess
+import threading
 import time
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import IO
 
-from grader.errors import MissingTool
+from grader.errors import Interrupted, MissingTool
+from grader.sandbox.reaping import adopt_orphans, reap
+from grader.sandbox.streams import Stream
 
-CHUNK = 65536
-PIPE_LIMIT = 1 << 20
-"""Largest size of a pipe without privileges. Source: fs.pipe-max-size in proc(5)."""
-
-DROPPED = b"\n[...]\n"
 PLAIN_ENVIRONMENT = {"PATH": "/usr/local/bin:/usr/bin:/bin", "LC_ALL": "C.UTF-8"}
 """What a child sees of our environment: nothing of the caller's tokens and paths."""
 
@@ -36,7 +34,7 @@ class Order:
 
     argv: Sequence[str]
     seconds: float
-    """Wall time after which the process group is killed."""
+    """Wall time after which everything that was started is killed."""
 
     output_bytes: int = 1 << 20
     """How much is kept of each of the two output streams; the middle is dropped."""
@@ -44,6 +42,11 @@ class Order:
     folder: Path | None = None
     descriptors: tuple[int, ...] = ()
     environment: Mapping[str, str] | None = None
+    uid: int = 0
+    """User and group to become before the program starts; 0 to stay."""
+
+    report: int | None = None
+    """Read end of the pipe that bubblewrap reports to."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,39 +63,41 @@ class Outcome:
     cpu_seconds: float
 
 
-class _Stream:
-    """One output pipe: keeps the beginning and the end up to a cap, and drops the middle.
+class _Running:
+    """Children that live now, so that an interrupted grader can end them all at once."""
 
-    A compiler's first error comes early, a sanitizer's report last.
-    """
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._children: set[int] = set()
+        self._stopped = False
 
-    def __init__(self, descriptor: int, cap: int) -> None:
-        os.set_blocking(descriptor, False)
-        self.descriptor = descriptor
-        self._half = cap // 2
-        self._head = bytearray()
-        self._tail = bytearray()
-        self._dropped = False
+    def start(self, order: Order) -> subprocess.Popen[bytes]:
+        with self._lock:
+            if self._stopped:
+                raise Interrupted("the grader was asked to stop")
+            child = _start(order)
+            self._children.add(child.pid)
+            return child
 
-    @property
-    def kept(self) -> bytes:
-        """What was printed, with a mark where something was dropped."""
-        return bytes(self._head) + DROPPED * self._dropped + bytes(self._tail)
+    def forget(self, child: subprocess.Popen[bytes]) -> None:
+        # Before it is reaped: afterwards the number may be a stranger's.
+        with self._lock:
+            self._children.discard(child.pid)
 
-    def drain(self) -> int | None:
-        """Read what is there; the number of bytes, 0 at the end, None if nothing waits."""
-        try:
-            chunk = os.read(self.descriptor, CHUNK)
-        except BlockingIOError:
-            return None
-        room = self._half - len(self._head)
-        self._head += chunk[:room]
-        self._tail += chunk[room:]
-        surplus = len(self._tail) - self._half
-        if surplus > 0:
-            del self._tail[:surplus]
-            self._dropped = True
-        return len(chunk)
+    def stop(self) -> None:
+        self._stopped = True
+        # Without the lock: this runs in a signal handler, whose thread may hold it.
+        for pid in tuple(self._children):
+            with suppress(ProcessLookupError):
+                os.killpg(pid, signal.SIGKILL)
+
+
+_running = _Running()
+
+
+def stop_everything() -> None:
+    """End every process that was started, and start no more; safe in a signal handler."""
+    _running.stop()
 
 
 def launch(order: Order) -> Outcome:
@@ -100,10 +105,29 @@ def launch(order: Order) -> Outcome:
 
     Raises:
         MissingTool: The program does not exist or may not be started.
+        Interrupted: The grader is being stopped.
+        WorkerFault: A process cannot be ended.
     """
+    adopt_orphans()
     started = time.monotonic()
+    child = _running.start(order)
+    with child:
+        try:
+            streams = [Stream(pipe.fileno(), order.output_bytes) for pipe in _pipes(child)]
+            timed_out = not _watch(child.pid, streams, started + order.seconds)
+        finally:
+            _running.forget(child)
+            code, cpu_seconds = reap(child, order.report)
+        for stream in streams:
+            stream.drain_all()
+    out, err = (stream.kept for stream in streams)
+    return Outcome(code, timed_out, out, err, time.monotonic() - started, cpu_seconds)
+
+
+def _start(order: Order) -> subprocess.Popen[bytes]:
+    user = order.uid or None
     try:
-        child = subprocess.Popen(
+        return subprocess.Popen(
             list(order.argv),
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
@@ -112,27 +136,21 @@ def launch(order: Order) -> Outcome:
             env=dict(PLAIN_ENVIRONMENT if order.environment is None else order.environment),
             pass_fds=order.descriptors,
             start_new_session=True,
+            user=user,
+            group=user,
+            extra_groups=[] if user else None,
+            umask=0o077 if user else -1,
         )
     except OSError as error:
         message = f"{order.argv[0]} cannot be started: {error.strerror}; is it installed?"
         raise MissingTool(message) from error
-    with child:
-        try:
-            streams = [_Stream(pipe.fileno(), order.output_bytes) for pipe in _pipes(child)]
-            timed_out = not _watch(child.pid, streams, started + order.seconds)
-        finally:
-            code, cpu_seconds = _reap(child)
-        for stream in streams:
-            _drain_all(stream)
-    out, err = (stream.kept for stream in streams)
-    return Outcome(code, timed_out, out, err, time.monotonic() - started, cpu_seconds)
 
 
 def _pipes(child: subprocess.Popen[bytes]) -> list[IO[bytes]]:
     return [pipe for pipe in (child.stdout, child.stderr) if pipe is not None]
 
 
-def _watch(pid: int, streams: list[_Stream], deadline: float) -> bool:
+def _watch(pid: int, streams: list[Stream], deadline: float) -> bool:
     """Drain the pipes until the child ends; False if the deadline came first."""
     pidfd = os.pidfd_open(pid)
     try:
@@ -149,22 +167,3 @@ def _watch(pid: int, streams: list[_Stream], deadline: float) -> bool:
             return False
     finally:
         os.close(pidfd)
-
-
-def _reap(child: subprocess.Popen[bytes]) -> tuple[int, float]:
-    """Kill what is left of the process group; exit code and CPU seconds of the child."""
-    # The child still holds its process id as a zombie, so the group cannot be a stranger's.
-    os.killpg(child.pid, signal.SIGKILL)
-    _, status, usage = os.wait4(child.pid, 0)
-    child.returncode = os.waitstatus_to_exitcode(status)
-    return child.returncode, usage.ru_utime + usage.ru_stime
-
-
-def _drain_all(stream: _Stream) -> None:
-    """Take what the dead child left in the pipe, and no more than a pipe can hold.
-
-    A process that left the group may still write, as fast as this reads.
-    """
-    for _ in range(PIPE_LIMIT // CHUNK):
-        if not stream.drain():
-            return

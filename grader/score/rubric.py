@@ -6,11 +6,12 @@ Strict on purpose: a misspelt key that is silently ignored would move points of 
 import hashlib
 import tomllib
 from collections.abc import Iterable
+from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
 from grader.errors import UsageError
-from grader.model.grade import Criterion, Limits, Rubric
+from grader.model.grade import CompileLimits, Criterion, Limits, Rubric
 from grader.model.stages import PARTS
 from grader.score.table import Table
 
@@ -38,13 +39,13 @@ def load_rubric(path: Path | None = None) -> Rubric:
     if path is None:
         path = SHIPPED
     root, sha256 = _read(path)
-    root.only("reading", "limits", "part", "criterion")
+    root.only("reading", "limits", "compile", "part", "criterion")
     reading = root.table("reading")
     reading.only("leaf_rule")
     return Rubric(
         criteria=_criteria(root, {one.check: one for one in shipped}),
         titles=_titles(root),
-        limits=_limits(root.table("limits")),
+        limits=_limits(root.table("limits"), root.table("compile")),
         leaf_rule=reading.choice("leaf_rule", LEAF_RULES),
         sha256=sha256,
     )
@@ -80,13 +81,33 @@ def _titles(root: Table) -> tuple[tuple[str, str], ...]:
     return tuple((name, titles[name]) for name in PARTS)
 
 
-def _limits(table: Table) -> Limits:
-    seconds = ("small_seconds", "large_seconds", "total_seconds")
-    sizes = ("memory_mib", "output_kib", "source_kib")
+def _limits(table: Table, compiler: Table) -> Limits:
+    seconds = ("small_seconds", "large_seconds", "wall_factor", "total_seconds")
+    sizes = ("memory_mib", "tasks", "open_files", "stack_mib", "output_kib", "source_kib")
     table.only(*seconds, *sizes)
-    small, large, total = (table.number(name, least=0.1, most=86_400) for name in seconds)
-    memory, output, source = (table.whole(name, least=1, most=2**20) for name in sizes)
-    return Limits(small, large, total, memory, output, source)
+    small, large, factor, total = (table.number(name, 0.1, 86_400) for name in seconds)
+    memory, tasks, files, stack, output, source = (
+        table.whole(name, least=1, most=2**20) for name in sizes
+    )
+    return Limits(
+        small_seconds=small,
+        large_seconds=large,
+        wall_factor=factor,
+        total_seconds=total,
+        memory_mib=memory,
+        tasks=tasks,
+        open_files=files,
+        stack_mib=stack,
+        output_kib=output,
+        source_kib=source,
+        compiler=_compile_limits(compiler),
+    )
+
+
+def _compile_limits(table: Table) -> CompileLimits:
+    names = [field.name for field in fields(CompileLimits)]
+    table.only(*names)
+    return CompileLimits(*(table.whole(name, least=1, most=2**20) for name in names))
 
 
 def _criteria(root: Table, shipped: dict[str, Criterion] | None) -> tuple[Criterion, ...]:

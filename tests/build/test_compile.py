@@ -13,9 +13,18 @@ from grader.model.verdict import Verdict
 from grader.run.job import Job
 from grader.run.protocol import Op
 from grader.run.requests import give_mesh
-from grader.run.session import Engine, run_job
+from grader.run.session import run_job
 from grader.verify.source import construct_loops
-from tests.compiled import BEGIN, CONSTRUCT, INTERSECT, STARTER, graph_of, whole_build
+from tests.compiled import (
+    BEGIN,
+    CONSTRUCT,
+    INTERSECT,
+    PATIENT,
+    STARTER,
+    engine_of,
+    graph_of,
+    whole_build,
+)
 from tests.verify.builder import findings, soup
 
 COMPILERS = ("g++", "clang++")
@@ -141,13 +150,13 @@ def test_libraries_of_every_compiler_run(compiled: Compile, compiler: str) -> No
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("CXX", compiler)
         runtime = sanitizer_runtime(find_compiler())
-    engines = (Engine(build.library, 2048, 65536), Engine(build.sanitized, 0, 65536, runtime))
+    engines = (engine_of(build.library), engine_of(build.sanitized, runtime))
     for faces in (5, 9):
         for engine in engines:
             job = Job()
             slot = give_mesh(job, soup(faces))
             job.do(Op.CONSTRUCT, slot, slot)
-            ending, _ = run_job(job, engine, 60.0)
+            ending, _ = run_job(job, engine, PATIENT)
             if engine.preload:
                 assert ending.finding == ("heap-buffer-overflow" if faces == 9 else ""), ending
                 assert ending.line == (6 if faces == 9 else 0)

@@ -7,7 +7,7 @@ import pytest
 from grader import resources
 from grader.build.compiler import find_compiler, sanitizer_runtime
 from grader.run.session import Engine
-from tests.compiled import BEGIN, INTERSECT, library_of, whole_build
+from tests.compiled import BEGIN, INTERSECT, engine_of, library_of, whole_build
 
 HOSTILE = Path(__file__).with_name("hostile.cpp")
 
@@ -20,8 +20,8 @@ def hostile(cache: Path, tmp_path_factory: pytest.TempPathFactory) -> tuple[Engi
     assert build.sanitized
     runtime = sanitizer_runtime(find_compiler())
     return (
-        Engine(build.library, 2048, 64 << 10),
-        Engine(build.sanitized, 0, 64 << 10, runtime),
+        engine_of(build.library),
+        engine_of(build.sanitized, runtime),
     )
 
 
@@ -29,7 +29,7 @@ def hostile(cache: Path, tmp_path_factory: pytest.TempPathFactory) -> tuple[Engi
 def reference(cache: Path, tmp_path_factory: pytest.TempPathFactory) -> Engine:
     """Give the engine of the model solution."""
     source = resources.reference_source().read_text()
-    return Engine(library_of(source, tmp_path_factory.mktemp("reference")), 2048, 64 << 10)
+    return engine_of(library_of(source, tmp_path_factory.mktemp("reference")))
 
 
 @pytest.fixture(scope="session")
@@ -37,11 +37,11 @@ def crashing_at_load(cache: Path, tmp_path_factory: pytest.TempPathFactory) -> E
     """Give a library whose static constructor crashes and that defines no construct."""
     crash = "static int crash = *reinterpret_cast<volatile int*>(sizeof(char) - 1);\n"
     folder = tmp_path_factory.mktemp("crash")
-    return Engine(library_of(BEGIN + INTERSECT + crash, folder), 2048, 64 << 10)
+    return engine_of(library_of(BEGIN + INTERSECT + crash, folder))
 
 
 @pytest.fixture(scope="session")
 def half(cache: Path, tmp_path_factory: pytest.TempPathFactory) -> Engine:
     """Give a library that defines only intersect."""
     folder = tmp_path_factory.mktemp("half")
-    return Engine(library_of(BEGIN + INTERSECT, folder), 2048, 64 << 10)
+    return engine_of(library_of(BEGIN + INTERSECT, folder))

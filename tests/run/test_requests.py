@@ -23,10 +23,10 @@ from grader.run.job import Job
 from grader.run.protocol import Op
 from grader.run.requests import give_mesh, give_tree, read_tree, request, trace
 from grader.run.session import Engine, run_job
+from tests.compiled import PATIENT
 from tests.verify.builder import altered, build, failed, mesh_of, soup
 from tests.verify.trials import every_trial
 
-SECONDS = 60.0
 COUNT = 50
 
 
@@ -45,7 +45,7 @@ def delivered(trial: Trial, engine: Engine) -> tuple[Ending, object]:
     asked = request(trial)
     results = []
     for job in asked.jobs:
-        ending, result = run_job(job, engine, SECONDS)
+        ending, result = run_job(job, engine, PATIENT)
         assert result, ending
         results.append(result)
     return ending, next(iter(asked.read(results, ending)), None)
@@ -72,7 +72,7 @@ def test_a_tree_of_ours_is_set_bit_for_bit(reference: Engine, tree: Bvh) -> None
     slot = give_mesh(job, mesh)
     give_tree(job, slot, given)
     read = read_tree(job, slot, mesh)
-    _, result = run_job(job, reference, SECONDS)
+    _, result = run_job(job, reference, PATIENT)
     assert result
     back = read(result)
     for name in ("low", "high", "begin", "end", "order"):
@@ -91,7 +91,7 @@ def test_a_tree_that_is_too_large_is_cut_and_counted(reference: Engine) -> None:
     slot = give_mesh(job, mesh)
     give_tree(job, slot, big)
     read = read_tree(job, slot, mesh)
-    _, result = run_job(job, reference, SECONDS)
+    _, result = run_job(job, reference, PATIENT)
     assert result
     back = read(result)
     assert (len(back.end), back.node_count, len(back.order)) == (1024, count, 3)
@@ -131,7 +131,7 @@ def traced(
     slot = give_mesh(job, mesh)
     give_tree(job, slot, build(mesh))
     read = trace(job, slot, rays(), threads)
-    ending, result = run_job(job, engine, SECONDS)
+    ending, result = run_job(job, engine, PATIENT)
     assert result, ending
     found = read(result)
     return found.hits, found.tests
@@ -168,7 +168,7 @@ def test_no_rays_are_no_work(reference: Engine) -> None:
     job, none = Job(), np.zeros((0, 3), np.float32)
     slot = give_mesh(job, soup(9))
     read = trace(job, slot, Rays(none, none, none[:, 0], none[:, 0]))
-    _, result = run_job(job, reference, SECONDS)
+    _, result = run_job(job, reference, PATIENT)
     assert result
     assert read(result).tests == (0.0, 0.0)
     assert read(result).hits[0].t.shape == (0,)
@@ -189,28 +189,35 @@ def test_the_worker_sees_no_answer_and_loads_no_arrays(
     tmp_path: Path, reference: Engine, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Arguments, environment and input of a worker hold data, no names, seeds or answers."""
-    spy = tmp_path / "spy.py"
+    real, *others = session.MODULES
+    spy = tmp_path / real.name
     spy.write_text(
-        "import os, runpy, sys\n"
-        "given = os.pread(int(sys.argv[2]), 1 << 20, 0)\n"
-        "print(sys.argv, dict(os.environ), given)\n"
-        f"os._exit = lambda code: print(sorted(sys.modules), flush=True)\n"
-        f"sys.argv[0] = {str(session.WORKER)!r}\n"
-        f"runpy.run_path({str(session.WORKER)!r}, run_name='__main__')\n"
+        real.read_text()
+        + """
+import sys
+
+carry_on = main
+
+
+def main(arguments):
+    print(sys.argv, dict(os.environ), os.pread(int(arguments[1]), 1 << 20, 0))
+    os._exit = lambda code: print(sorted(sys.modules), flush=True)
+    carry_on(arguments)
+"""
     )
     monkeypatch.setenv("SECRET_TOKEN", "token of ours")
-    monkeypatch.setattr(session, "WORKER", spy)
+    monkeypatch.setattr(session, "MODULES", (spy, *others))
     asked = request(ConstructTrial("secret name of the trial", soup(9)))
-    ending, _ = run_job(asked.jobs[0], reference, SECONDS)
+    ending, _ = run_job(asked.jobs[0], reference, PATIENT)
     assert ending.stop is Stop.FINISHED, ending
     assert "'ctypes'" in ending.output
     for word in ("numpy", "grader.", "secret", "SECRET", "seed", "bvh.", "hits.", "HOME"):
-        assert word not in ending.output.replace(str(session.WORKER.parent), "")
+        assert word not in ending.output
 
 
 def test_operations_in_the_wrong_order_are_no_crash_of_ours(reference: Engine) -> None:
     """A row that names no slot ends the worker with a status, and the grader lives."""
     job = Job()
     job.do(Op.CONSTRUCT, 3, 3)
-    ending, result = run_job(job, reference, SECONDS)
+    ending, result = run_job(job, reference, PATIENT)
     assert (ending.stop, result) == (Stop.CRASHED, None)

@@ -11,7 +11,8 @@ import pytest
 
 from grader.errors import MissingTool
 from grader.sandbox import launch as module
-from grader.sandbox.launch import DROPPED, PLAIN_ENVIRONMENT, Order, Outcome, launch
+from grader.sandbox.launch import PLAIN_ENVIRONMENT, Order, Outcome, launch
+from grader.sandbox.streams import DROPPED
 
 PATIENT = 60.0
 
@@ -211,28 +212,6 @@ def test_there_is_nothing_to_read() -> None:
         os.dup2(ours, 0)
         for each in (ours, reading, writing):
             os.close(each)
-
-
-def test_what_never_ends_is_not_read_to_its_end() -> None:
-    """After the child's death no more is read than a pipe can hold."""
-
-    class Endless(module._Stream):
-        """A pipe into which someone writes as fast as it is read."""
-
-        reads = 0
-
-        def __init__(self) -> None:
-            pass
-
-        def drain(self) -> int:
-            """Find a full pipe again."""
-            self.reads += 1
-            assert self.reads < 1000
-            return module.CHUNK
-
-    stream = Endless()
-    module._drain_all(stream)
-    assert stream.reads * module.CHUNK == module.PIPE_LIMIT
 
 
 def test_the_child_runs_where_it_is_told(tmp_path: Path) -> None:

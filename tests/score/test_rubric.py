@@ -96,7 +96,7 @@ def test_the_other_reading_of_leaves_is_accepted(tmp_path: Path) -> None:
         ("[limits]", "[limit]", 'unknown key `limit`.* did you mean "limits"'),
         ('leaf_rule = "sheet"', 'leaf_rule = "any"', '"sheet" or "full-levels"'),
         ("[[part]]", "[part]", "not valid TOML"),
-        ("points = 3", "points = = 3", r"not valid TOML: .*line 53"),
+        ("points = 3", "points = = 3", r"not valid TOML: .*line 65"),
         ("points = 3", 'points = 3\nvisibility = "secret"', '"visible" or "hidden" or'),
     ],
 )

@@ -1,0 +1,76 @@
+"""How is bubblewrap told to make a box?
+
+Never started as root: it would map the box to root of the host, and /proc would open doors.
+The protection is entirely what the arguments say, so each group of them has its reason.
+Source: bwrap(1); the measurements are in docs/security.md.
+"""
+
+import os
+import re
+import shutil
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cache
+from pathlib import Path
+
+from grader.sandbox.box import Box
+from grader.sandbox.launch import Order, launch
+from grader.sandbox.visible import DEVICES, hidden_folders, interpreter_paths, system_paths
+
+_USERNS_OPTION = (0, 8)
+"""First version with --disable-userns."""
+
+
+@cache
+def find_bubblewrap() -> tuple[str, tuple[int, ...]] | None:
+    """Path and version of bwrap; None if it is not installed."""
+    path = shutil.which("bwrap")
+    if path is None:
+        return None
+    said = launch(Order([path, "--version"], 10.0)).out.decode(errors="replace")
+    numbers = re.search(r"(\d+)\.(\d+)", said)
+    return (path, tuple(map(int, numbers.groups()))) if numbers else None
+
+
+def arguments(
+    version: tuple[int, ...], box: Box, interpreter: Path, environment: Mapping[str, str]
+) -> Iterator[str]:
+    """Options that make a box; the command to run in it comes after them."""
+    # --unshare-all alone only tries to make a user namespace, and goes on without one.
+    yield from ("--unshare-user", "--unshare-all", "--die-with-parent", "--new-session")
+    if version >= _USERNS_OPTION:
+        yield "--disable-userns"
+    yield from ("--hostname", "box", "--cap-drop", "ALL", "--clearenv")
+    for name, value in environment.items():
+        yield from ("--setenv", name, value)
+    yield from _mounts(box, interpreter)
+    # Without a limit of size, a writable root would be memory that no limit counts.
+    yield from ("--remount-ro", "/")
+
+
+def _mounts(box: Box, interpreter: Path) -> Iterator[str]:
+    """There is no /proc: it would show the command line and the environment of bwrap."""
+    system = system_paths(box)
+    extra = [path for path in interpreter_paths(interpreter) if not _within(path, system)]
+    for path in system:
+        yield from _shown(path)
+    for path in extra:
+        yield from ("--ro-bind", str(path), str(path))
+    for folder in hidden_folders([*system, *extra]):
+        yield from ("--tmpfs", str(folder), "--remount-ro", str(folder))
+    yield from ("--dir", "/dev")
+    for device in DEVICES:
+        yield from ("--dev-bind", device, device)
+    for path in box.readable:
+        yield from ("--ro-bind", str(path), str(path))
+    if box.writable:
+        yield from ("--bind", str(box.writable), str(box.writable))
+
+
+def _shown(path: Path) -> Sequence[str]:
+    if path.is_symlink():
+        return ("--symlink", os.readlink(path), str(path))  # noqa: PTH115 - the text as it is
+    return ("--ro-bind", str(path), str(path))
+
+
+def _within(path: Path, roots: Sequence[Path]) -> bool:
+    return any(path.is_relative_to(root) for root in roots)

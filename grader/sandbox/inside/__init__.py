@@ -1,0 +1,1 @@
+"""What runs inside a box: staged as single files, standard library only, knows no answers."""

@@ -1,0 +1,107 @@
+"""What can be done from inside a box? Tries what a hostile submission would try.
+
+Prints one line for each attempt that succeeded, and `done` at the end. It is our own code: what
+it says is believed. Arguments: `worker` or `compiler`, number of the grader's process, limit of
+memory and of open files, folder to write to or -, and files that must stay out of reach.
+"""
+
+import ctypes
+import mmap
+import os
+import socket
+from collections.abc import Callable
+from functools import partial
+
+Attempt = tuple[str, Callable[[], object]]
+
+
+def main(arguments: list[str]) -> None:
+    """Try everything and say what worked."""
+    kind, grader, memory, files, own, *secrets = arguments
+    library = ctypes.CDLL(None, use_errno=True)
+    attempts = _everywhere(library, int(grader), secrets, [own])
+    attempts += _bounds(int(memory), int(files))
+    if kind == "worker":
+        attempts += _worker(secrets)
+    for name, attempt in attempts:
+        try:
+            attempt()
+        except (OSError, MemoryError):
+            continue
+        print(name, flush=True)  # noqa: T201 - the answer
+    print("done", flush=True)  # noqa: T201 - the answer
+    os._exit(0)
+
+
+def _everywhere(
+    library: ctypes.CDLL, grader: int, secrets: list[str], own: list[str]
+) -> list[Attempt]:
+    """What neither a worker nor a compiler may do."""
+    folders = ["/", "/tmp", "/var/tmp", "/dev/shm", "/usr/lib", os.getcwd()]  # noqa: PTH109, S108
+    folders += [os.path.dirname(path) for path in secrets]  # noqa: PTH120
+    found: list[Attempt] = [(f"reads {path}", partial(_read, path)) for path in secrets]
+    found += [
+        (f"writes to {folder}", partial(_write, folder))
+        for folder in folders
+        if folder not in own
+    ]
+    for family in ("AF_INET", "AF_INET6", "AF_UNIX", "AF_NETLINK", "AF_VSOCK"):
+        number = getattr(socket, family)
+        found.append((f"opens a socket {family}", partial(socket.socket, number)))
+    return [
+        *found,
+        ("sees the grader's process", lambda: os.kill(grader, 0)),
+        ("becomes root", lambda: os.setresuid(0, 0, 0)),
+        ("changes the root", lambda: os.chroot("/")),
+        ("makes a namespace", lambda: _called(library.unshare, 0x10000000)),
+        ("traces processes", lambda: _called(library.ptrace, 0, 0, 0, 0)),
+        ("shares memory by a key", lambda: _called(library.shmget, 0, 4096, 0o1600)),
+        ("runs as root", _runs_as_root),
+        ("sees the grader's environment", lambda: _nonzero("BVHGRADE_PROBE" in os.environ)),
+    ]
+
+
+def _worker(secrets: list[str]) -> list[Attempt]:
+    """What a compiler may, but a worker may not."""
+    return [
+        ("starts a process", _fork),
+        ("starts a program", partial(os.execv, "/bin/true", ["true"])),
+        ("lists a folder", lambda: os.listdir(os.path.dirname(secrets[0]))),  # noqa: PTH120, PTH208
+        ("makes a file in memory", lambda: os.memfd_create("probe")),
+    ]
+
+
+def _bounds(memory: int, files: int) -> list[Attempt]:
+    return [
+        ("takes more memory than the limit", lambda: mmap.mmap(-1, memory)),
+        ("opens more files than the limit", lambda: [os.dup(0) for _ in range(files)]),
+    ]
+
+
+def _read(path: str) -> None:
+    os.close(os.open(path, os.O_RDONLY))
+
+
+def _write(folder: str) -> None:
+    path = f"{folder}/bvhgrade-probe-{os.getpid()}"
+    os.close(os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600))
+    os.unlink(path)  # noqa: PTH108 - pathlib costs 8 ms
+
+
+def _fork() -> None:
+    if os.fork() == 0:
+        os._exit(0)
+
+
+def _runs_as_root() -> None:
+    _nonzero(os.geteuid() == 0)
+
+
+def _nonzero(succeeded: bool) -> None:
+    if not succeeded:
+        raise PermissionError
+
+
+def _called(function: Callable[..., int], *arguments: int) -> None:
+    if function(*arguments) < 0:
+        raise PermissionError
