@@ -10,10 +10,11 @@ from importlib import metadata, util
 from pathlib import Path
 
 from grader.build.compiler import Compiler, find_compiler, sanitizer_runtime
-from grader.errors import GraderError
+from grader.errors import GraderError, MissingTool
 from grader.oracle.variant import working_variant
 from grader.resources import cache_folder, reference_source, scenes_folder, stub_folder
 from grader.sandbox.launch import Order, launch
+from grader.sandbox.selftest import proved_isolation
 
 PROBE_SECONDS = 20.0
 
@@ -175,10 +176,16 @@ def size_of(folder: Path) -> int:
 
 
 def isolation() -> Finding:
-    """Say that submissions run with the caller's rights."""
-    state = "none: a submission can do what you can do; isolation is not built in yet"
-    remedy = "grade only code that you would run yourself, or use a container"
-    return Finding("isolation", False, state, remedy, needed=False)
+    """Prove how far submissions are kept from this machine."""
+    subject = "isolation"
+    try:
+        proved = proved_isolation()
+    except MissingTool as fault:
+        remedy = "apt install bubblewrap, or use a kernel with Landlock (5.13 or newer)"
+        state = str(fault).split("\n")[1] if "\n" in str(fault) else str(fault)
+        return Finding(subject, False, f"none: {state}", remedy)
+    missed = "".join(f"; not {reason}" for reason in proved.unproved)
+    return Finding(subject, True, f"{proved.level.value}{missed}")
 
 
 def processors() -> Finding:

@@ -1,12 +1,15 @@
 """The commands that grade: `check` for a student's own file, `grade` for somebody else's."""
 
 import shlex
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import click
 from click.exceptions import Exit
 
+from grader.cli.interrupts import interruptible
 from grader.cli.output import RESULT, patient_stdout, ready, write_whole
 from grader.cli.progress import shown_progress
 from grader.cli.status import FULL_MARKS, LOST_POINTS, OUR_FAULT
@@ -30,6 +33,11 @@ class Order:
     only: tuple[str, ...]
     """Ids of the checks to run; empty for all."""
 
+    time_limit: float | None
+    """Wall seconds of the whole grade; None for the rubric's."""
+
+    isolated: bool
+
 
 submission_type = click.Path(exists=True, path_type=Path)
 seed_option = click.option(
@@ -44,6 +52,17 @@ rubric_option = click.option(
     type=click.Path(exists=True, dir_okay=False, path_type=Path),
     help="Points and limits instead of the built-in ones.",
 )
+time_option = click.option(
+    "--time-limit",
+    type=click.FloatRange(10, 86_400),
+    metavar="SECONDS",
+    help="The grade is there after this time, whatever happens (default: the rubric's, 120).",
+)
+unsafe_option = click.option(
+    "--unsafe-no-isolation",
+    is_flag=True,
+    help="Run the code with your own rights; only for code that you trust.",
+)
 
 
 @click.command()
@@ -51,9 +70,9 @@ rubric_option = click.option(
 @click.option("--only", multiple=True, metavar="CHECK", help="Run this check; repeatable.")
 @seed_option
 @rubric_option
-def check(
-    submission: Path | None, only: tuple[str, ...], seed: int, rubric: Path | None
-) -> None:
+@time_option
+@unsafe_option
+def check(submission: Path | None, **given: Any) -> None:  # noqa: ANN401 - click's own
     """Grade your own code and explain what is wrong.
 
     SUBMISSION is a .cpp file, a folder or an archive that holds one exercise03.cpp. Without it,
@@ -61,13 +80,13 @@ def check(
 
     Exit status: 0 full marks, 1 points were lost, 2 wrong usage, 3 the grader failed.
     """
-    order = Order(submission or usual_place(), seed, rubric, only)
+    order = ordered(submission or usual_place(), given)
     folder = own_folder()
     result = graded(order)
     written = stored(folder, result)
     with patient_stdout():
         report(result, order, written, tell_hidden=False)
-    raise Exit(status_of_check(result, only))
+    raise Exit(status_of_check(result, order.only))
 
 
 @click.command()
@@ -90,15 +109,17 @@ def check(
 )
 @seed_option
 @rubric_option
+@time_option
+@unsafe_option
 @click.option("--quiet", is_flag=True, help="Print the points only.")
-def grade(submission: Path, output: Path, seed: int, rubric: Path | None, quiet: bool) -> None:
+def grade(submission: Path, output: Path, quiet: bool, **given: Any) -> None:  # noqa: ANN401 - click's own
     """Grade one submission and write result.json.
 
     SUBMISSION is a .cpp file, a folder or an archive that holds one exercise03.cpp.
 
     Exit status: 0 a grade was produced, 2 wrong usage, 3 the grader failed.
     """
-    order = Order(submission, seed, rubric, ())
+    order = ordered(submission, given)
     folder = ready(output)
     result = graded(order)
     written = stored(folder, result)
@@ -108,6 +129,18 @@ def grade(submission: Path, output: Path, seed: int, rubric: Path | None, quiet:
         else:
             report(result, order, written, tell_hidden=True)
     raise Exit(OUR_FAULT if is_withheld(result) else FULL_MARKS)
+
+
+def ordered(path: Path, given: Mapping[str, Any]) -> Order:
+    """Put together what the options say."""
+    return Order(
+        path,
+        given["seed"],
+        given["rubric"],
+        given.get("only", ()),
+        given["time_limit"],
+        not given["unsafe_no_isolation"],
+    )
 
 
 def usual_place() -> Path:
@@ -137,8 +170,10 @@ def graded(order: Order) -> Grade:
     """Run the pipeline with a bar that shows how far it is."""
     from grader.pipeline import Options, grade_one
 
-    with shown_progress() as progress:
-        options = Options(order.seed, order.rubric, order.only, progress)
+    with shown_progress() as progress, interruptible():
+        options = Options(
+            order.seed, order.rubric, order.only, progress, order.time_limit, order.isolated
+        )
         return grade_one(order.path, options)
 
 

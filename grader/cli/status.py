@@ -1,7 +1,8 @@
 """Which exit status a command ends with, and what is said when it cannot do its work.
 
 0 a grade was produced, or full marks in `check`; 1 `check` lost points; 2 wrong usage; 3 our
-own fault; 130 interrupted. No traceback is ever shown: it is kept in a file, which is named.
+own fault; 130 interrupted, 143 terminated. No traceback is ever shown: it is kept in a file,
+which is named.
 """
 
 import os
@@ -12,7 +13,7 @@ from typing import Any, NoReturn
 
 import click
 
-from grader.errors import GraderError, UsageError
+from grader.errors import GraderError, Interrupted, UsageError
 from grader.plain import printable
 from grader.report.escape import for_terminal
 
@@ -50,8 +51,9 @@ class GraderGroup(click.Group):
             raise harmless(fault) from fault.__cause__
         except (click.ClickException, click.exceptions.Exit, BrokenPipeError):
             raise
-        except (KeyboardInterrupt, click.Abort):
-            stop(ctx, "interrupted; no result was changed", INTERRUPTED)
+        except (KeyboardInterrupt, click.Abort, Interrupted) as fault:
+            status = getattr(fault, "status", INTERRUPTED)
+            stop(ctx, "interrupted; no result was changed", status)
         except UsageError as fault:
             stop(ctx, str(fault), WRONG_USAGE)
         except GraderError as fault:

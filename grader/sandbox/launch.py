@@ -69,14 +69,17 @@ class _Running:
     def __init__(self) -> None:
         self._lock = threading.Lock()
         self._children: set[int] = set()
-        self._stopped = False
+        self._stopped = threading.Event()
 
     def start(self, order: Order) -> subprocess.Popen[bytes]:
         with self._lock:
-            if self._stopped:
+            if self._stopped.is_set():
                 raise Interrupted("the grader was asked to stop")
             child = _start(order)
             self._children.add(child.pid)
+            if self._stopped.is_set():
+                # The signal came while the child was being started.
+                self.stop()
             return child
 
     def forget(self, child: subprocess.Popen[bytes]) -> None:
@@ -85,7 +88,7 @@ class _Running:
             self._children.discard(child.pid)
 
     def stop(self) -> None:
-        self._stopped = True
+        self._stopped.set()
         # Without the lock: this runs in a signal handler, whose thread may hold it.
         for pid in tuple(self._children):
             with suppress(ProcessLookupError):
