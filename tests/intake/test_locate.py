@@ -3,6 +3,7 @@
 import gzip
 import os
 import socket
+import tracemalloc
 from pathlib import Path
 
 import pytest
@@ -238,3 +239,27 @@ def test_any_bytes_are_a_submission_or_are_refused(
         path = tmp_path_factory.getbasetemp() / name
         path.write_bytes(start.encode("latin-1") + content)
         assert isinstance(locate(path, LIMIT), Submission | Rejected)
+
+
+LONG = "n" * 2000 + f"/{NAME}"
+BOMBS = [
+    zipped([(NAME, bytes(2**26))]),
+    zipped([(f"{number}{LONG}", b"") for number in range(9000)]),
+    tarred([(f"{number}/{NAME}", bytes(2**20)) for number in range(60)]),
+    tarred([(NAME, bytes(2**26))]),
+    gzip.compress(tar_entry(b"x", b"1" * 2**26, b"x")),
+    gzip.compress(tar_entry(b"L", b"1" * 2**26, b"L")),
+]
+
+
+@pytest.mark.parametrize("bomb", BOMBS, ids=len)
+def test_no_archive_takes_more_memory_than_a_few_copies(tmp_path: Path, bomb: bytes) -> None:
+    """Gigabytes of content, thousands of candidates, headers without end."""
+    path = tmp_path / "bomb"
+    path.write_bytes(bomb)
+    tracemalloc.start()
+    try:
+        assert isinstance(locate(path, LIMIT), Rejected)
+        assert tracemalloc.get_traced_memory()[1] < 24 * 2**20
+    finally:
+        tracemalloc.stop()
