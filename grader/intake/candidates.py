@@ -4,7 +4,8 @@ import re
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 
-from grader.intake.screen import SOURCE_NAME, printable
+from grader.intake.screen import SOURCE_NAME
+from grader.plain import as_name
 
 MOST_ENTRIES = 20_000
 """A folder or archive with more entries is not searched to its end."""
@@ -119,7 +120,7 @@ class _Found:
         files = [one for one in self.candidates if one.content != NOT_A_FILE]
         if self.number <= MOST_COPIES and len({one.content for one in files}) <= 1:
             return [*files, *self.candidates][0]
-        names = ", ".join(f"`{printable(one.path)}`" for one in self.candidates[:_MOST_NAMED])
+        names = ", ".join(f"`{as_name(one.path)}`" for one in self.candidates[:_MOST_NAMED])
         return Fault(
             f"{self.number:,} files are called {SOURCE_NAME} ({names}), but exactly one is "
             "graded; hand in only that one"
@@ -127,6 +128,6 @@ class _Found:
 
     def _none(self) -> Fault:
         named = [*self.almost, *self.telling][:_MOST_NAMED]
-        names = ", ".join(f"`{printable(path)}`" for path in named)
+        names = ", ".join(f"`{as_name(path)}`" for path in named)
         instead = f"; there is {names}" if names else ""
         return Fault(f"no file is called {SOURCE_NAME}{instead}")

@@ -12,7 +12,7 @@ from functools import partial
 from itertools import islice
 
 from grader.intake.candidates import MOST_ENTRIES, NOT_A_FILE, Entry, Fault, is_junk
-from grader.intake.screen import printable
+from grader.plain import as_name
 
 DEEPEST = 16
 """Folders inside folders that are searched."""
@@ -66,7 +66,7 @@ def _content(folder: int, path: str, most: int) -> bytes | Fault:
 
 
 def _named(fault: OSError, path: str) -> OSError:
-    return OSError(fault.errno, f"{printable(path)} in it: {fault.strerror}")
+    return OSError(fault.errno, f"{as_name(path)} in it: {fault.strerror}")
 
 
 def opened(path: str | os.PathLike[str], folder: int | None = None) -> int | Fault:

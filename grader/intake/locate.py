@@ -14,10 +14,11 @@ from grader.errors import UsageError
 from grader.intake.candidates import Candidate, Damage, Fault, choose
 from grader.intake.folder import folder_entries, opened
 from grader.intake.gunzip import GZIP_MARK, Gunzip
-from grader.intake.screen import SOURCE_NAME, printable, screen
+from grader.intake.screen import SOURCE_NAME, screen
 from grader.intake.tar import TAR_MARK, TAR_MARK_PLACE, tar_entries
 from grader.intake.zip import ZIP_MARKS, zip_entries
 from grader.model.stages import Rejected, Submission
+from grader.plain import as_name
 
 LARGEST_ARCHIVE = 128 * 2**20
 """Bytes of an archive that is searched."""
@@ -45,12 +46,12 @@ def locate(path: Path, source_limit: int) -> Submission | Rejected:
     except (OSError, ValueError) as fault:
         why = getattr(fault, "strerror", None) or str(fault)
         raise UsageError(
-            f"{printable(str(path))}: {why}, but a C++ file, a folder, a .zip or a .tar.gz "
+            f"{as_name(str(path))}: {why}, but a C++ file, a folder, a .zip or a .tar.gz "
             f"with one {SOURCE_NAME} is expected"
         ) from fault
     if isinstance(found, Fault):
         return Rejected(student, found.reason)
-    shown = printable(found.path)
+    shown = as_name(found.path)
     if isinstance(found.content, Fault):
         return Rejected(student, f"{shown}: {found.content.reason}")
     return screen(student, shown, found.content, source_limit)
@@ -61,7 +62,7 @@ def _student(path: Path) -> str:
     ending = next((e for e in _ARCHIVE_ENDINGS if name.lower().endswith(e)), "")
     if not ending and path.suffix.lower() in _SOURCE_ENDINGS:
         ending = path.suffix
-    return printable(name[: len(name) - len(ending)]) or "submission"
+    return as_name(name[: len(name) - len(ending)]) or "submission"
 
 
 def _found(path: Path, most: int) -> Candidate | Fault:

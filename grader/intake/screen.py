@@ -3,13 +3,9 @@
 import hashlib
 
 from grader.model.stages import Rejected, Submission
-from grader.plain import as_name
 
 SOURCE_NAME = "exercise03.cpp"
 """The one file of the exercise that a student edits."""
-
-printable = as_name
-"""Write a stranger's name so that it can be shown, on one line."""
 
 _SAMPLE = 4096
 _WIDE_MARKS = (b"\xff\xfe", b"\xfe\xff", b"\x00\x00\xfe\xff")

@@ -5,6 +5,7 @@ from dataclasses import replace
 import pytest
 
 from grader.model.verdict import Verdict
+from grader.plain import NAME_LIMIT
 from grader.report.facts import place, plain_name, withheld, worst
 from tests.report import samples
 
@@ -27,6 +28,16 @@ from tests.report import samples
 def test_names_are_read_out_of_mangled_ones(mangled: str, name: str) -> None:
     """Simple and nested names are; anything rarer gives nothing or a beginning."""
     assert plain_name(mangled) == name
+
+
+def test_a_name_that_fills_a_page_is_cut() -> None:
+    """A function may have any name, but a report has other lines too."""
+    calls = replace(samples.CALLS, lines=((f"_Z900{'x' * 900}v", 1),))
+    score = replace(samples.loose_boxes(), line=2)
+    grade = replace(samples.changed(c5=score), build=replace(samples.BUILD, calls=calls))
+    found = place(grade, score)
+    assert found is not None
+    assert len(found.function) <= NAME_LIMIT
 
 
 def test_a_line_before_every_function_falls_back_on_the_part() -> None:
