@@ -42,12 +42,12 @@ def comparable(grade: Grade) -> dict[str, Any]:
 
 
 def test_the_reference_earns_everything() -> None:
-    """50 of 50, nothing withheld, and the result says that it was not isolated."""
+    """50 of 50, nothing withheld, and the result says how it was isolated."""
     grade = reference()
     assert [part.score for part in grade.parts] == [25, 25]
     assert grade.score == grade.max_score == 50
     assert not grade.needs_review
-    assert grade.provenance.isolation == "none"
+    assert grade.provenance.isolation == "bubblewrap+landlock+seccomp"
 
 
 def test_two_runs_give_the_same_result() -> None:

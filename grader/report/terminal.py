@@ -25,6 +25,8 @@ def print_grade(console: Console, grade: Grade, occasion: Occasion) -> None:
     """Print the whole report; width, colours and encoding are the console's."""
     sheet = Sheet(console)
     header(sheet, grade)
+    if is_exposed(grade):
+        banner(sheet)
     if isinstance(grade.submission, Rejected):
         sheet.blank()
         rejected(sheet, grade.submission)
@@ -55,6 +57,16 @@ def header(sheet: Sheet, grade: Grade) -> None:
     full = int(share * sheet.width)
     rest = sheet.glyphs.empty * (sheet.width - full)
     sheet.lines.append(Text.assemble((sheet.glyphs.full * full, style), (rest, "dim")))
+
+
+def is_exposed(grade: Grade) -> bool:
+    """Code of the submission ran with the rights of whoever started the grader."""
+    return grade.build is not None and grade.provenance.isolation == "none"
+
+
+def banner(sheet: Sheet) -> None:
+    """Warn where nobody overlooks it."""
+    sheet.say("NOT ISOLATED: the submission could do what you can do.", "bold yellow")
 
 
 def rejected(sheet: Sheet, given: Rejected) -> None:
@@ -156,11 +168,7 @@ def worst_failure(sheet: Sheet, grade: Grade, occasion: Occasion) -> None:
 
 
 def footer(sheet: Sheet, grade: Grade, occasion: Occasion) -> None:
-    """Say whether it was isolated, where the result lies and where the time went."""
-    if grade.provenance.isolation == "none" and grade.build is not None:
-        sheet.say(
-            "This run was not isolated: the submission could do what you can do.", "yellow"
-        )
+    """Say where the result lies, how the run was isolated and where the time went."""
     for remark in () if grade.build is None else grade.build.remarks:
         sheet.say(f"Note: {sheet.line(remark)}.", "yellow")
     if occasion.written is not None:
@@ -172,3 +180,5 @@ def footer(sheet: Sheet, grade: Grade, occasion: Occasion) -> None:
         f"{spent.submission:.1f}, grader {spent.grader:.1f}",
         "dim",
     )
+    if grade.build is not None and not is_exposed(grade):
+        sheet.say(f"isolated by {sheet.line(grade.provenance.isolation)}", "dim")

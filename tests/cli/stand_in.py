@@ -23,6 +23,8 @@ class Options:
     rubric: Path | None
     only: tuple[str, ...]
     progress: Callable[[str, int, int], None]
+    time_limit: float | None
+    isolated: bool
 
 
 class Pipeline(ModuleType):

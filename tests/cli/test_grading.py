@@ -3,7 +3,7 @@
 import json
 import sys
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from types import ModuleType
 
@@ -13,20 +13,11 @@ from click.testing import CliRunner, Result
 from grader.cli import cli
 from grader.errors import BuildFault, MissingTool, UsageError
 from grader.model.grade import Grade
+from tests.cli.stand_in import Options
 from tests.report import samples
 
 FILE = "src/exercise03.cpp"
 WRITTEN = "bvhgrade-out/result.json"
-
-
-@dataclass(frozen=True, slots=True)
-class Options:
-    """The pipeline's options, as the commands are to fill them."""
-
-    seed: int
-    rubric: Path | None
-    only: tuple[str, ...]
-    progress: Callable[[str, int, int], None]
 
 
 class Pipeline(ModuleType):

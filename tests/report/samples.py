@@ -65,7 +65,7 @@ PROVENANCE = Provenance(
     seed=41,
     compiler="g++ 12.2.0",
     flags=("-O2", "-ffp-contract=off"),
-    isolation="none",
+    isolation="bubblewrap+landlock+seccomp",
     cpu="A processor",
 )
 

@@ -124,10 +124,13 @@ def test_what_the_rubric_hides_is_not_explained_to_students() -> None:
 
 def test_an_isolated_run_is_not_called_unisolated() -> None:
     """The sentence stands only where it is true."""
-    isolated = replace(samples.PROVENANCE, isolation="bubblewrap+seccomp")
-    grade = replace(samples.perfect(), provenance=isolated)
-    assert "not isolated" in printed(samples.perfect(), Screen()).decode()
-    assert "not isolated" not in printed(grade, Screen()).decode()
+    isolated = printed(samples.perfect(), Screen()).decode()
+    assert "NOT ISOLATED" not in isolated
+    assert "isolated by bubblewrap+landlock+seccomp" in isolated
+    exposed = replace(samples.PROVENANCE, isolation="none")
+    lines = printed(replace(samples.perfect(), provenance=exposed), Screen()).decode()
+    assert "NOT ISOLATED" in lines.split("a)")[0], "it stands above everything else"
+    assert "isolated by" not in lines
 
 
 def test_without_a_command_or_a_file_neither_is_named() -> None:
