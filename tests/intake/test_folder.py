@@ -10,7 +10,7 @@ import pytest
 from grader.errors import UsageError
 from grader.intake import folder as module
 from grader.intake.candidates import MOST_ENTRIES
-from grader.intake.folder import DEEPEST
+from grader.intake.folder import DEEPEST, folder_entries
 from grader.intake.locate import locate
 from grader.model.stages import Rejected, Submission
 from tests.intake.archives import CODE, LIMIT, NAME, reason
@@ -137,6 +137,20 @@ def test_endless_folders_are_refused(
     assert "no file is called" in reason(locate(tmp_path, LIMIT))
     (tmp_path / "more").touch()
     assert f"more than {MOST_ENTRIES:,} files" in reason(locate(tmp_path, LIMIT))
+
+
+def test_a_full_folder_is_not_listed_to_its_end(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """One name more than the most shows that there are too many."""
+    monkeypatch.setattr("grader.intake.folder.MOST_ENTRIES", 10)
+    for number in range(30):
+        (tmp_path / f"{number}").touch()
+    handle = os.open(tmp_path, os.O_RDONLY)
+    try:
+        assert len(list(folder_entries(handle, []))) == 11
+    finally:
+        os.close(handle)
 
 
 @pytest.fixture

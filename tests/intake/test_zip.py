@@ -4,6 +4,7 @@ import io
 import stat
 import struct
 import zipfile
+import zlib
 from pathlib import Path
 
 import pytest
@@ -172,11 +173,11 @@ def test_a_bomb_is_read_to_the_limit_only(tmp_path: Path, claimed: int) -> None:
 @pytest.mark.parametrize("block", [b"\0\0\0\xff\xff", b"\x02\x00"])
 def test_packed_bytes_that_give_nothing_end(tmp_path: Path, block: bytes) -> None:
     """Empty blocks without end would be unpacked without end."""
-    packed = block * 2**20
+    packed = block * 2**20 + b"\x03\x00"
     local, listed = (
         bytearray(make(NAME.encode(), packed)) for make in (local_entry, listed_entry)
     )
-    struct.pack_into("<H", listed, 10, 8)
+    struct.pack_into("<H4xL", listed, 10, 8, zlib.crc32(b""))
     content = local + listed + end_record(1, len(listed), len(local))
     assert "damaged" in reason(located(tmp_path, bytes(content)))
 
