@@ -24,7 +24,7 @@ from grader.solution import Solution
 from grader.summary import Progress, Summary
 from grader.verify.structure import ends_at_the_limit
 
-_RESERVE = 0.1
+_RESERVE = 0.15
 """Share of the time limit that is kept for judging what the last workers brought."""
 
 LARGE_PICTURE = 100_000
