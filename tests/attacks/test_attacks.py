@@ -1,0 +1,207 @@
+"""Every hostile submission is graded end to end at each level, and gets nowhere.
+
+The limits are tighter than the shipped ones, so that what runs into them does so soon. All the
+rest is the grader as it is; only what no check of a run looks at is left out of its build.
+"""
+
+import io
+import json
+import time
+import tomllib
+import unicodedata
+from collections.abc import Generator
+from functools import cache as remembered
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import pytest
+from rich.console import Console
+
+from grader import pipeline
+from grader.build import compile as building
+from grader.build.workspace import GRADED
+from grader.model.grade import Grade
+from grader.model.stages import Ending, Stop
+from grader.model.verdict import Verdict
+from grader.oracle.plan import make_plan
+from grader.pipeline import Options, grade_one
+from grader.report.as_json import schema_text, to_text
+from grader.report.failure import Occasion
+from grader.report.terminal import print_grade
+from grader.resources import reference_source
+from grader.run import trials
+from grader.run.session import run_job
+from grader.sandbox.selftest import proved_isolation
+from grader.score.rubric import SHIPPED
+from grader.solution import Solution
+from tests.attacks.attack import Attack, Graded, every_attack
+from tests.attacks.witness import VARIABLE, Witness, census, survivors, witnessed
+
+SEED = 41
+LONGEST_SECONDS = 60.0
+"""For a grade with these limits, also on a machine that is busy."""
+
+LIMITS = {"small_seconds": 1, "large_seconds": 4, "wall_factor": 3, "total_seconds": 40}
+BOMB_SECONDS = {"seconds": 3, "wall_seconds": 8}
+"""Compiling a file that is expected to fail."""
+
+_SANITIZED = ("bvh.memory-is-safe", "hits.memory-is-safe", "bvh.depth-is-limited")
+_DIRECTION = set("\u061c\u200e\u200f\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069")
+
+
+@pytest.fixture(scope="session")
+def warm(cache: Path) -> None:
+    """Compile the framework and the reference before any clock runs."""
+    checks = ("build.compiles", "bvh.rebuild-starts-afresh")
+    grade_one(reference_source(), Options(SEED, None, checks, lambda *_: None))
+    plan(SEED, Solution().trees)
+
+
+@pytest.fixture
+def witness(warm: None, monkeypatch: pytest.MonkeyPatch) -> Generator[Witness]:
+    """Bait of its own for each attack, and a grader whose environment holds a secret."""
+    with witnessed() as witness:
+        monkeypatch.setenv(VARIABLE, witness.secret)
+        monkeypatch.setenv("HOME", str(witness.root / "home"))
+        yield witness
+
+
+@pytest.mark.parametrize("attack", every_attack(), ids=lambda attack: attack.path.stem)
+@pytest.mark.parametrize("level", ["A", "B"])
+def test_an_attack_gets_nowhere(
+    level: str, attack: Attack, witness: Witness, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It earns what its header says; nothing is read, written, called, left or believed."""
+    monkeypatch.setattr(pipeline, "proved_isolation", partial(proved_isolation, level))
+    proved_isolation(level)
+    endings = observed(monkeypatch)
+    if attack.checks:
+        lean(attack, monkeypatch)
+    given = witness.place(attack.path.read_bytes())
+    rubric = witness.root / "rubric.toml"
+    rubric.write_text(rubric_of(attack))
+    before, processes, started = witness.state(), census(), time.monotonic()
+    grade = grade_one(given, Options(SEED, rubric, (), lambda *_: None))
+    assert time.monotonic() - started < LONGEST_SECONDS
+    assert not survivors(processes)
+    assert witness.state() == before
+    assert not witness.callers()
+    assert not list(witness.remains())
+    reports = checked_reports(grade)
+    assert witness.secret not in reports
+    assert witness.secret not in "".join(ending.output for ending in endings)
+    told = [(one.check, one.verdict.value, one.score, one.message) for one in grade.checks]
+    assert not grade.needs_review, told
+    assert Verdict.BROKEN not in {one.verdict for one in grade.checks}, told
+    stops = frozenset(ending.stop for ending in endings)
+    assert not attack.disappointed(Graded(grade, stops, reports)), (told, stops, grade.build)
+
+
+def observed(monkeypatch: pytest.MonkeyPatch) -> list[Ending]:
+    """How each worker will have ended, and what it will have printed."""
+    endings: list[Ending] = []
+
+    def run(*arguments: Any) -> Any:  # noqa: ANN401 - passes everything through
+        ending, result = run_job(*arguments)
+        endings.append(ending)
+        return ending, result
+
+    monkeypatch.setattr(trials, "run_job", run)
+    return endings
+
+
+def lean(attack: Attack, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Leave out of a grade what none of its checks looks at, and plan only once."""
+    link = building._link
+    sanitized = bool({*_SANITIZED} & {*attack.checks})
+
+    def one_flavour(framework: Any, work: Any, name: str) -> Any:  # noqa: ANN401 - passes through
+        if name != GRADED.name and not sanitized:
+            return building._Linked(None, ())
+        return link(framework, work, name)
+
+    monkeypatch.setattr(building, "_link", one_flavour)
+    if "source.construct-loops" not in attack.checks:
+        monkeypatch.setattr(building, "call_graph", lambda *_: None)
+    monkeypatch.setattr(pipeline, "make_plan", lambda seed, trees: plan(seed, trees))
+
+
+@remembered
+def stored_plans() -> dict[int, Any]:
+    """Plans by seed: they say nothing of a submission."""
+    return {}
+
+
+def plan(seed: int, trees: Any) -> Any:  # noqa: ANN401 - passes through
+    """Make the plan of a seed once."""
+    plans = stored_plans()
+    if seed not in plans:
+        plans[seed] = make_plan(seed, trees)
+    return plans[seed]
+
+
+def rubric_of(attack: Attack) -> str:
+    """The shipped rubric with tighter limits, and with the checks of the attack only."""
+    shipped = tomllib.loads(SHIPPED.read_text())
+    shipped["limits"] |= LIMITS
+    if not attack.compiles:
+        shipped["compile"] |= BOMB_SECONDS
+    rows = [f"[reading]\nleaf_rule = {json.dumps(shipped['reading']['leaf_rule'])}"]
+    rows += [table("[limits]", shipped["limits"]), table("[compile]", shipped["compile"])]
+    rows += [table("[[part]]", part) for part in shipped["part"]]
+    wanted = {"build.compiles", *attack.checks}
+    rows += [
+        table("[[criterion]]", criterion)
+        for criterion in shipped["criterion"]
+        if not attack.checks or criterion["check"] in wanted
+    ]
+    return "\n".join(rows) + "\n"
+
+
+def table(name: str, values: dict[str, Any]) -> str:
+    """Write one table of TOML; its words and numbers look as in JSON."""
+    return "\n".join([name, *(f"{key} = {json.dumps(value)}" for key, value in values.items())])
+
+
+def checked_reports(grade: Grade) -> str:
+    """Everything that a reader could see, in which nothing acts on a terminal or a runner."""
+    result = to_text(grade)
+    jsonschema.validate(json.loads(result), json.loads(schema_text()))
+    shown = io.StringIO()
+    console = Console(file=shown, width=100, color_system=None, legacy_windows=False)
+    print_grade(console, grade, Occasion("bvhgrade grade exercise03.cpp"))
+    for line in shown.getvalue().split("\n"):
+        assert not line.lstrip().startswith(("::", "##[")), line
+    for text in (shown.getvalue(), *texts(json.loads(result))):
+        active = {one for one in text if unicodedata.category(one) == "Cc"} - {"\n", "\t"}
+        assert not active | (_DIRECTION & {*text}), text
+    return shown.getvalue() + result + "".join(texts(json.loads(result)))
+
+
+def texts(value: Any) -> Generator[str]:  # noqa: ANN401 - any JSON
+    """Every text in a JSON value."""
+    if isinstance(value, str):
+        yield value
+    elif isinstance(value, dict):
+        for key, inner in value.items():
+            yield key
+            yield from texts(inner)
+    elif isinstance(value, list):
+        for inner in value:
+            yield from texts(inner)
+
+
+def test_no_worker_and_no_level_is_taken_on_trust() -> None:
+    """Both levels hold on this machine: a level that cannot be tested is not promised."""
+    assert [proved_isolation(level).level.name for level in "AB"] == ["NAMESPACES", "PROCESS"]
+
+
+def test_there_are_enough_of_them() -> None:
+    """At least 64 attacks, in both parts and on the compiler; some expect full points."""
+    attacks = every_attack()
+    assert len(attacks) >= 64
+    assert {Stop.CRASHED, Stop.TIMED_OUT, Stop.OUT_OF_MEMORY, Stop.FORBIDDEN} <= {
+        clause.stop for one in attacks for _, clause in one.clauses if hasattr(clause, "stop")
+    }
