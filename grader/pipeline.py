@@ -1,6 +1,5 @@
 """How does one path become one grade? The stages of the grader, in order."""
 
-import tempfile
 import time
 from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -18,6 +17,7 @@ from grader.oracle.plan import Plan, depth_trial, make_plan
 from grader.run.session import Engine
 from grader.run.trials import LARGE_MESH, Budget, Engines, part_of, run_trials
 from grader.sandbox.box import Isolation
+from grader.sandbox.scratch import scratch_folder
 from grader.sandbox.selftest import proved_isolation, unconfined
 from grader.selection import select
 from grader.solution import Solution
@@ -64,9 +64,9 @@ def grade_one(path: Path, options: Options) -> Grade:
     if isinstance(submission, Rejected):
         summary.examine([BuildCase("build", (submission.reason,))])
         return summary.grade(submission, None, ())
-    with tempfile.TemporaryDirectory(prefix="bvhgrade-") as folder:
+    with scratch_folder() as folder:
         with summary.stage("build and plan"):
-            order = _compilation(Path(folder), limits, options)
+            order = _compilation(folder, limits, options)
             build, plan, solution = _prepare(submission, order, options.seed, summary)
         summary.examine(_build_cases(build))
         if build.library is None:

@@ -7,7 +7,6 @@ it could not prove is not claimed.
 
 import os
 import secrets
-import tempfile
 from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
@@ -25,6 +24,7 @@ from grader.sandbox.interpreter import (
     own_interpreter,
     reachable_interpreter,
 )
+from grader.sandbox.scratch import scratch_folder
 from grader.sandbox.stage import INSIDE, staged
 
 VARIABLE = "BVHGRADE_ISOLATION"
@@ -125,16 +125,11 @@ def _bait(shared: bool) -> Iterator[tuple[Path, Path]]:
     Args:
         shared: Whether every user of the machine may read the file.
     """
-    with (
-        tempfile.TemporaryDirectory(prefix="bvhgrade-") as folder,
-        tempfile.TemporaryDirectory(prefix="bvhgrade-") as outside,
-    ):
-        for name in (folder, outside):
-            Path(name).chmod(0o711)
-        secret = Path(outside) / "secret"
+    with scratch_folder() as folder, scratch_folder() as outside:
+        secret = outside / "secret"
         secret.write_text(secrets.token_hex())
         secret.chmod(0o644 if shared else 0o600)
-        yield Path(folder), secret
+        yield folder, secret
 
 
 def _box(kind: str, folder: Path) -> Box:
