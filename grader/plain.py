@@ -40,7 +40,14 @@ def printable(text: str, limit: int = FIELD_LIMIT) -> str:
         text: Anything, lone surrogates included.
         limit: How many characters are left at most.
     """
-    return shortened(_coded(LINE_ENDS.sub("\n", text), kept="\n\t"), limit)
+    text = LINE_ENDS.sub("\n", text)
+    unread = ""
+    if len(text) > 2 * limit:
+        # Only the ends can be shown; looking at each character of a flood takes seconds.
+        unread = "." * (len(text) - 2 * limit)
+        text, tail = text[:limit], text[len(text) - limit :]
+        unread += _coded(tail, kept="\n\t")
+    return shortened(_coded(text, kept="\n\t") + unread, limit)
 
 
 def one_line(text: str, limit: int = FIELD_LIMIT) -> str:

@@ -49,7 +49,7 @@ HOSTILE = {
     "newlines": "\n" * 4000,
     "words": "word " * 4000,
     "quotes": '"\\' * 4000,
-    "long": "x" * 1_000_000,
+    "long": "x" * 100_000,
     "wide": "\u6f22\u5b57" * 500,
     "empty": "",
 }
