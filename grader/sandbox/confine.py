@@ -124,13 +124,15 @@ def _specification(box: Box, isolation: Isolation) -> Iterator[str]:
 
 def _limits(bounds: Bounds, isolation: Isolation) -> Iterator[str]:
     # Elsewhere the kernel would count everything that the caller runs on this machine.
-    alone = isolation.uid or isolation.level is Level.NAMESPACES
+    namespace = isolation.level is Level.NAMESPACES
+    alone = isolation.uid or namespace
     named = {
         "cpu": bounds.cpu_seconds,
         "room" if bounds.beyond_reserved else "memory": bounds.memory_bytes,
         "file": bounds.file_bytes,
         "files": bounds.open_files,
-        "tasks": bounds.tasks if alone else 0,
+        # Bubblewrap's first process of a namespace is one too.
+        "tasks": bounds.tasks + namespace if alone and bounds.tasks else 0,
         "stack": bounds.stack_bytes,
     }
     yield from (f"{name}={value}" for name, value in named.items() if value)
