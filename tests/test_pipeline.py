@@ -10,16 +10,20 @@ import pytest
 
 from grader.errors import UsageError
 from grader.model.grade import Grade
+from grader.model.stages import Stop
 from grader.model.verdict import Verdict
 from grader.oracle.plan import make_plan
 from grader.pipeline import Options, grade_one
 from grader.report.as_json import schema_text, to_json
 from grader.resources import reference_source, stub_folder
+from grader.sandbox.selftest import proved_isolation
 from grader.selection import select
 from grader.solution import Solution
 from grader.verify import every_check
 from grader.verify.planned import planned_cases
 from tests.submissions.corpus import HERE
+
+LEVELS = {"B": "landlock+seccomp", "none": "none"}
 
 
 def graded(path: Path, *only: str, rubric: Path | None = None) -> Grade:
@@ -55,6 +59,47 @@ def test_two_runs_give_the_same_result() -> None:
     first, second = comparable(reference()), comparable(graded(reference_source()))
     assert first == second
     jsonschema.validate(to_json(reference()), json.loads(schema_text()))
+
+
+@pytest.mark.parametrize("level", ["B", "none"])
+def test_an_honest_submission_scores_the_same_at_every_level(
+    monkeypatch: pytest.MonkeyPatch, level: str
+) -> None:
+    """Nothing but the name of the level differs."""
+    monkeypatch.setenv("BVHGRADE_ISOLATION", level.replace("none", ""))
+    proved_isolation.cache_clear()
+    options = Options(41, None, (), lambda *_: None, isolated=level != "none")
+    try:
+        grade = grade_one(reference_source(), options)
+    finally:
+        proved_isolation.cache_clear()
+    result, other = comparable(reference()), comparable(grade)
+    assert other["provenance"].pop("isolation") == LEVELS[level]
+    result["provenance"].pop("isolation")
+    assert other == result
+
+
+SLEEPS = """#include "bvh.h"
+#include "intersection.h"
+#include "mesh.h"
+#include <unistd.h>
+void BVH::construct(const Mesh&) { for (;;) ::sleep(1000); }
+Intersection intersect(const Mesh&, const IntersectionRay&) { for (;;) ::sleep(1000); }
+"""
+
+
+def test_a_submission_that_takes_all_of_the_time_still_gets_a_grade(tmp_path: Path) -> None:
+    """What did not run any more is named, costs its own points, and nothing is withheld."""
+    path = tmp_path / "sleeps.cpp"
+    path.write_text(SLEEPS)
+    grade = grade_one(path, Options(41, None, (), lambda *_: None, time_limit=12.0))
+    survival = {one.check: one for one in grade.checks if ".survives-" in one.check}
+    assert {one.verdict for one in survival.values()} == {Verdict.FAIL}
+    assert {one.stop for one in survival.values()} == {Stop.TIMED_OUT}
+    said = " ".join(example.message for one in survival.values() for example in one.examples)
+    assert "the time for the whole submission was used up" in said
+    assert (grade.score, grade.needs_review) == (0, False)
+    jsonschema.validate(to_json(grade), json.loads(schema_text()))
 
 
 def test_the_reference_is_examined_in_every_planned_case() -> None:
