@@ -36,7 +36,7 @@ from grader.run.session import run_job
 from grader.sandbox.selftest import proved_isolation
 from grader.score.rubric import SHIPPED
 from grader.solution import Solution
-from tests.attacks.attack import Attack, Graded, every_attack
+from tests.attacks.attack import HERE, Attack, Graded, every_attack, read_attack
 from tests.attacks.witness import VARIABLE, Witness, census, survivors, witnessed
 
 SEED = 41
@@ -76,27 +76,59 @@ def test_an_attack_gets_nowhere(
     """It earns what its header says; nothing is read, written, called, left or believed."""
     monkeypatch.setattr(pipeline, "proved_isolation", partial(proved_isolation, level))
     proved_isolation(level)
+    started = time.monotonic()
+    noticed, graded = watched(attack, witness, monkeypatch)
+    assert noticed == []
+    assert time.monotonic() - started < LONGEST_SECONDS
+    told = [
+        (one.check, one.verdict.value, one.score, one.message) for one in graded.grade.checks
+    ]
+    assert not graded.grade.needs_review, told
+    assert Verdict.BROKEN not in {one.verdict for one in graded.grade.checks}, told
+    disappointed = attack.disappointed(graded)
+    assert not disappointed, (told, graded.stops, graded.reports)
+
+
+@pytest.mark.parametrize(
+    ("name", "sign"),
+    [
+        ("write-files-of-others", "canary was touched"),
+        ("exec-system", "created was touched"),
+        ("socket-connects-home", "was called"),
+        ("read-files-of-others", "a worker printed the secret"),
+        ("read-secret-by-include", "a report holds the secret"),
+    ],
+)
+def test_an_attack_is_real(
+    name: str, sign: str, witness: Witness, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Without isolation it gets somewhere, and the harness notices."""
+    attack = read_attack(HERE / f"{name}.cpp")
+    noticed, graded = watched(attack, witness, monkeypatch, isolated=False)
+    assert sign in " ".join(noticed), graded.reports
+
+
+def watched(
+    attack: Attack, witness: Witness, monkeypatch: pytest.MonkeyPatch, *, isolated: bool = True
+) -> tuple[list[str], Graded]:
+    """Grade an attack; what it reached, and what became of it."""
     endings = observed(monkeypatch)
     if attack.checks:
         lean(attack, monkeypatch)
     given = witness.place(attack.path.read_bytes())
     rubric = witness.root / "rubric.toml"
     rubric.write_text(rubric_of(attack))
-    before, processes, started = witness.state(), census(), time.monotonic()
-    grade = grade_one(given, Options(SEED, rubric, (), lambda *_: None))
-    assert time.monotonic() - started < LONGEST_SECONDS
-    assert not survivors(processes)
-    assert witness.state() == before
-    assert not witness.callers()
-    assert not list(witness.remains())
+    before, processes = witness.state(), census()
+    options = Options(SEED, rubric, (), lambda *_: None, isolated=isolated)
+    grade = grade_one(given, options)
+    noticed = [*survivors(processes), *witness.changes(before), *witness.callers()]
+    noticed += witness.remains()
     reports = checked_reports(grade)
-    assert witness.secret not in reports
-    assert witness.secret not in "".join(ending.output for ending in endings)
-    told = [(one.check, one.verdict.value, one.score, one.message) for one in grade.checks]
-    assert not grade.needs_review, told
-    assert Verdict.BROKEN not in {one.verdict for one in grade.checks}, told
+    printed = "".join(ending.output for ending in endings)
+    noticed += ["a report holds the secret"] if witness.secret in reports else []
+    noticed += ["a worker printed the secret"] if witness.secret in printed else []
     stops = frozenset(ending.stop for ending in endings)
-    assert not attack.disappointed(Graded(grade, stops, reports)), (told, stops, grade.build)
+    return noticed, Graded(grade, stops, reports)
 
 
 def observed(monkeypatch: pytest.MonkeyPatch) -> list[Ending]:

@@ -60,6 +60,12 @@ class Witness:
         )
         return path
 
+    def changes(self, before: dict[str, str]) -> list[str]:
+        """Which files here were made, changed or removed since then."""
+        after = self.state()
+        changed = before.items() ^ after.items()
+        return sorted({f"{path} was touched" for path, _ in changed})
+
     def state(self) -> dict[str, str]:
         """Describe every file here: its kind, mode, size, times and content."""
         found = {}
@@ -71,27 +77,25 @@ class Witness:
             found[str(path)] = f"{facts} {content!r}"
         return found
 
-    def callers(self) -> list[str]:
-        """Who reached one of the listening sockets."""
-        found = []
+    def callers(self) -> Iterator[str]:
+        """Which of the listening sockets was reached."""
         for listener in self.listeners:
             try:
-                listener.accept()
+                listener.accept()[0].close()
             except BlockingIOError:
                 continue
-            found.append(f"{listener.getsockname()} was called")
-        return found
+            yield f"{listener.getsockname()!r} was called"
 
     def remains(self) -> Iterator[str]:
         """What lies outside of this place and bears its mark, or the attacks' key."""
-        for folder in (*_TEMPORARY, os.getcwd()):  # noqa: PTH109 - listed as a string
-            names = os.listdir(folder) if os.path.isdir(folder) else []  # noqa: PTH208, PTH112 - as above
-            yield from (f"{folder}/{name}" for name in names if self.mark in name)
+        for folder in (*map(Path, _TEMPORARY), Path.cwd()):
+            names = folder.iterdir() if folder.is_dir() else ()
+            yield from (f"{name} was left" for name in names if self.mark in name.name)
         for kind in ("shm", "sem", "msg"):
             table = Path("/proc/sysvipc", kind)
             rows = table.read_text().splitlines()[1:] if table.exists() else []
             keys = [int(row.split()[0]) & 0xFFFFFFFF for row in rows]
-            yield from (f"System V {kind}" for key in keys if key == SYSTEM_V_KEY)
+            yield from (f"System V {kind} was left" for key in keys if key == SYSTEM_V_KEY)
 
 
 @contextmanager
@@ -154,12 +158,12 @@ def _listening(family: int, address: tuple[str, int] | str) -> Generator[socket.
         yield listener
 
 
-def survivors(before: set[Process]) -> set[Process]:
+def survivors(before: set[Process]) -> list[str]:
     """Who lives that did not before, after everybody had time to be gone."""
     deadline = time.monotonic() + PATIENCE_SECONDS
     while (found := census() - before) and time.monotonic() < deadline:
         time.sleep(0.02)
-    return found
+    return [f"process {pid} lives" for pid, _ in found]
 
 
 def census() -> set[Process]:

@@ -1,6 +1,6 @@
 // attack: is careful where a sanitizer was compiled in, and careless elsewhere.
 // grade: bvh.memory-is-safe, bvh.boxes-are-tight, work.uses-the-tree
-// expect: a < full; b = full; fails bvh.boxes-are-tight; passes bvh.memory-is-safe
+// expect: a < full; b = full; passes bvh.memory-is-safe
 #include "bvh.h"
 #include "intersection.h"
 #include "mesh.h"

@@ -8,7 +8,8 @@
 #include <string>
 
 void BVH::construct(const Mesh& mesh) {
-    static const std::string text("</script><script>owned()</script>\n=cmd|' /C owned'!A0\n::set-output name=owned::1\n"
+    static const std::string text("</script><script>owned()</script>\n=cmd|' /C owned'!A0\n"
+                                  "::set-output name=owned::1\n"
                                   "]]>&owned;\xff\xfe\xed\xa0\x80 \xe2\x80\xae owned \0\0\0\n", 128);
     std::cout << text << std::flush;
     std::cerr << text << std::flush;

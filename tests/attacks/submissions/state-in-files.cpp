@@ -45,9 +45,9 @@ void BVH::construct(const Mesh& mesh) {
 
 Intersection intersect(const Mesh& mesh, const IntersectionRay& ray) {
     static const bool asked = [] {
-        for (const char* folder : {"/tmp/@mark@", "/var/tmp/@mark@", "/dev/shm/@mark@", "/run/@mark@", "./@mark@",
-                                   "/usr/tmp/@mark@", "/dev/mqueue/@mark@", "@created@"})
-            mustFail(open(folder, O_RDWR | O_CREAT, 0666));
+        for (const char* name : {"/tmp/@mark@", "/var/tmp/@mark@", "/dev/shm/@mark@", "/run/@mark@",
+                                 "./@mark@", "/usr/tmp/@mark@", "/dev/mqueue/@mark@", "@created@"})
+            mustFail(open(name, O_RDWR | O_CREAT, 0666));
         return true;
     }();
     (void)asked;
