@@ -14,6 +14,9 @@ class Level(Enum):
     NAMESPACES = "bubblewrap+landlock+seccomp"
     """A: namespaces of its own, an empty root, no privileges; inside it all of the next."""
 
+    NAMESPACES_ALONE = "bubblewrap+seccomp"
+    """A on a kernel without Landlock: the second of two walls around the files is missing."""
+
     PROCESS = "landlock+seccomp"
     """B: no namespaces; another user if the grader is root, Landlock, filtered system calls."""
 
@@ -25,11 +28,14 @@ class Level(Enum):
 
 
 LETTERS = {
-    "A": Level.NAMESPACES,
-    "B": Level.PROCESS,
-    "C": Level.USER,
+    "A": (Level.NAMESPACES, Level.NAMESPACES_ALONE),
+    "B": (Level.PROCESS,),
+    "C": (Level.USER,),
 }
-"""How an operator names a level."""
+"""How an operator names levels, best first."""
+
+BUBBLES = LETTERS["A"]
+"""Levels at which bubblewrap makes namespaces."""
 
 
 @dataclass(frozen=True, slots=True)

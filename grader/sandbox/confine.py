@@ -15,7 +15,7 @@ from pathlib import Path
 
 from grader.errors import WorkerFault
 from grader.sandbox import bubblewrap
-from grader.sandbox.box import Bounds, Box, Isolation, Level
+from grader.sandbox.box import BUBBLES, Bounds, Box, Isolation, Level
 from grader.sandbox.filters import compiler_filter, worker_filter
 from grader.sandbox.inside import landlock
 from grader.sandbox.launch import PLAIN_ENVIRONMENT, Order, Outcome, launch
@@ -82,17 +82,18 @@ def _attempt(
     """Run a target; also tell whether it was ever reached, or our own part failed before."""
     ready, announce = os.pipe()
     try:
-        spec = [*_specification(box, isolation), f"ready={announce}"]
+        kept = ",".join(map(str, target.descriptors))
+        spec = [*_specification(box, isolation), f"ready={announce}", f"keep={kept}"]
         command = [str(isolation.interpreter), "-I", "-S", str(entry), *spec, "--"]
         order = Order(
             [*command, target.program, *target.arguments],
             target.seconds,
             target.output_bytes,
-            target.folder,
+            target.folder or Path("/"),
             (*target.descriptors, announce),
             {**PLAIN_ENVIRONMENT, **(target.environment or {})},
         )
-        if isolation.level is Level.NAMESPACES:
+        if isolation.level in BUBBLES:
             with _wrapped(order, box, isolation) as wrapped:
                 outcome = _unwrapped(launch(wrapped))
         else:
@@ -110,13 +111,13 @@ def _attempt(
 def _specification(box: Box, isolation: Isolation) -> Iterator[str]:
     """Words for enter.py."""
     yield from _limits(box.bounds, isolation)
-    if isolation.level is not Level.NAMESPACES:
+    if isolation.level not in BUBBLES:
         yield f"parent={os.getpid()}"
     if isolation.level is Level.NONE:
         return
-    if isolation.uid and isolation.level is not Level.NAMESPACES:
+    if isolation.uid and isolation.level not in BUBBLES:
         yield f"uid={isolation.uid}"
-    if isolation.level is not Level.USER:
+    if isolation.level in (Level.NAMESPACES, Level.PROCESS):
         yield "landlock=" + "\n".join(_rules(box))
     code = compiler_filter() if box.starts_programs else worker_filter()
     yield f"filter={code.hex()}"
@@ -124,7 +125,7 @@ def _specification(box: Box, isolation: Isolation) -> Iterator[str]:
 
 def _limits(bounds: Bounds, isolation: Isolation) -> Iterator[str]:
     # Elsewhere the kernel would count everything that the caller runs on this machine.
-    namespace = isolation.level is Level.NAMESPACES
+    namespace = isolation.level in BUBBLES
     alone = isolation.uid or namespace
     named = {
         "cpu": bounds.cpu_seconds,

@@ -11,12 +11,13 @@ from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from functools import cache
+from itertools import chain
 from pathlib import Path
 
 from grader import resources
 from grader.errors import GraderError, MissingTool, UsageError
 from grader.resources import is_root
-from grader.sandbox.box import LETTERS, Bounds, Box, Isolation, Level
+from grader.sandbox.box import BUBBLES, LETTERS, Bounds, Box, Isolation, Level
 from grader.sandbox.bubblewrap import find_bubblewrap
 from grader.sandbox.confine import Target, confined
 from grader.sandbox.interpreter import (
@@ -57,7 +58,7 @@ def proved_isolation(wanted: str = "") -> Isolation:
         known = ", ".join(LETTERS)
         raise UsageError(f"{VARIABLE}={letter}: there is no such level, but {known}")
     reasons: list[str] = []
-    for level in [LETTERS[letter]] if letter else LETTERS.values():
+    for level in LETTERS[letter] if letter else chain(*LETTERS.values()):
         try:
             isolation = _candidate(level, tuple(reasons))
             flaws = flaws_of(isolation)
@@ -90,7 +91,7 @@ def _candidate(level: Level, unproved: tuple[str, ...]) -> Isolation:
         raise MissingTool(message)
     if level is Level.USER and not is_root():
         raise MissingTool("only root can become another user")
-    if level is not Level.NAMESPACES:
+    if level not in BUBBLES:
         return Isolation(level, own_interpreter(), unproved)
     if find_bubblewrap() is None:
         raise MissingTool("bubblewrap is not installed (Debian package bubblewrap)")

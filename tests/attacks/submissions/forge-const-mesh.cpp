@@ -1,6 +1,6 @@
 // attack: shrinks the mesh to one face, so that a leaf is a right tree.
 // grade: bvh.rebuild-starts-afresh, bvh.face-indices-are-a-permutation, bvh.leaves-hold-at-most-four, work.uses-the-tree
-// expect: a < full; b = full; fails bvh.rebuild-starts-afresh
+// expect: a < full; b = full
 #include "bvh.h"
 #include "intersection.h"
 #include "mesh.h"
