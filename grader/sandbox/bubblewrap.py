@@ -9,6 +9,7 @@ import os
 import re
 import shutil
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
@@ -31,20 +32,40 @@ def find_bubblewrap() -> tuple[str, tuple[int, ...]] | None:
     return (path, tuple(map(int, numbers.groups()))) if numbers else None
 
 
-def arguments(
-    version: tuple[int, ...], box: Box, interpreter: Path, environment: Mapping[str, str]
-) -> Iterator[str]:
+@dataclass(frozen=True, slots=True)
+class Interior:
+    """What the process in a box is, and what it knows."""
+
+    interpreter: Path
+    environment: Mapping[str, str]
+    variables: int
+    """Descriptor of a file with the same environment, as in /proc."""
+
+
+def arguments(version: tuple[int, ...], box: Box, interior: Interior) -> Iterator[str]:
     """Options that make a box; the command to run in it comes after them."""
     # --unshare-all alone only tries to make a user namespace, and goes on without one.
     yield from ("--unshare-user", "--unshare-all", "--die-with-parent", "--new-session")
     if version >= _USERNS_OPTION:
         yield "--disable-userns"
     yield from ("--hostname", "box", "--cap-drop", "ALL", "--clearenv")
-    for name, value in environment.items():
+    for name, value in interior.environment.items():
         yield from ("--setenv", name, value)
-    yield from _mounts(box, interpreter)
+    yield from _mounts(box, interior.interpreter)
+    if "LD_PRELOAD" in interior.environment:
+        yield from _for_sanitizers(interior)
     # Without a limit of size, a writable root would be memory that no limit counts.
     yield from ("--remount-ro", "/")
+
+
+def _for_sanitizers(interior: Interior) -> Sequence[str]:
+    """Two files where /proc would have them.
+
+    A sanitizer takes its options from the first, and opens the second, the program that it
+    runs in, before it can name lines of a library.
+    """
+    data = ["--ro-bind-data", str(interior.variables), "/proc/self/environ"]
+    return [*data, "--symlink", str(interior.interpreter), "/proc/self/exe"]
 
 
 def _mounts(box: Box, interpreter: Path) -> Iterator[str]:

@@ -8,7 +8,7 @@ one command line serves all levels.
 """
 
 import os
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -141,6 +141,8 @@ def _limits(bounds: Bounds, isolation: Isolation) -> Iterator[str]:
 
 def _rules(box: Box) -> Iterator[str]:
     """Rights and paths; what is missing on this machine is left out inside."""
+    # A sanitizer reads the program that it runs in before it can name lines of a library.
+    yield f"{landlock.READ}=/proc/self/exe"
     right = landlock.RUN if box.starts_programs else landlock.READ
     for path in (*system_paths(box), *box.readable):
         yield f"{right}={path}"
@@ -158,26 +160,33 @@ def _wrapped(order: Order, box: Box, isolation: Isolation) -> Iterator[Order]:
         raise WorkerFault("bubblewrap is gone; install the Debian package bubblewrap")
     path, version = found
     environment = order.environment or {}
-    options = list(bubblewrap.arguments(version, box, isolation.interpreter, environment))
+    given = os.memfd_create("options", os.MFD_CLOEXEC)
+    shown = os.memfd_create("environment", os.MFD_CLOEXEC)
+    interior = bubblewrap.Interior(isolation.interpreter, environment, shown)
+    options = list(bubblewrap.arguments(version, box, interior))
     if order.folder:
         options += ["--chdir", str(order.folder)]
-    given = os.memfd_create("options", os.MFD_CLOEXEC)
     read, write = os.pipe()
     try:
-        os.pwrite(given, b"".join(f"{word}\0".encode() for word in options), 0)
+        _fill(shown, (f"{name}={value}" for name, value in environment.items()))
+        _fill(given, options)
         argv = [path, "--args", str(given), "--info-fd", str(write), "--", *order.argv]
         yield replace(
             order,
             argv=argv,
             folder=None,
-            descriptors=(*order.descriptors, given, write),
+            descriptors=(*order.descriptors, given, shown, write),
             environment={},
             uid=isolation.uid,
             report=read,
         )
     finally:
-        for descriptor in (given, read, write):
+        for descriptor in (given, shown, read, write):
             os.close(descriptor)
+
+
+def _fill(file: int, words: Iterable[str]) -> None:
+    os.pwrite(file, b"".join(f"{word}\0".encode() for word in words), 0)
 
 
 def _unwrapped(outcome: Outcome) -> Outcome:
