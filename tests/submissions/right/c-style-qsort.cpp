@@ -1,4 +1,4 @@
-/* right: C as in 1989: qsort with file-scope variables, malloc and free, goto, alternative tokens, declarations at the top */
+// right: C as in 1989: qsort with file-scope variables, malloc and free, goto, alternative tokens, declarations at the top
 #include "bvh.h"
 #include "intersection.h"
 #include "mesh.h"
