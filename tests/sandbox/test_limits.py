@@ -1,6 +1,5 @@
 """Each limit of a worker: just under it passes, just over it stops with its own words."""
 
-from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -20,13 +19,11 @@ from grader.sandbox.streams import DROPPED
 from tests.compiled import PATIENT, compilation, engine_of, submission_of
 
 SOURCE = Path(__file__).with_name("limits.cpp")
-SPIN, SPIN_TWICE, IGNORE, SLEEP, MEMORY, THREADS, FILES, STACK, PRINT, WRITE, NODES = range(
-    1, 12
-)
+SPIN, SPIN_TWICE, IGNORE, SLEEP, MEMORY, THREADS = range(1, 7)
+FILES, STACK, PRINT, WRITE, NODES, OVERFLOW = range(7, 13)
 """What limits.cpp uses, by the number of faces."""
 
 FINISHED = (Stop.FINISHED, "")
-Uses = Callable[..., Ending]
 
 
 @pytest.fixture(scope="session")
@@ -65,7 +62,7 @@ def at_level(engine: Engine, isolation: Isolation, folder: Path) -> Engine:
 def flat(faces: int, amount: float) -> Mesh:
     """Make a mesh of so many faces whose first vertex says how much to use."""
     vertices = np.array([[amount, 0, 0], [0, 1, 0], [0, 0, 1]], np.float32)
-    return Mesh(vertices, np.zeros((faces, 3), np.uint32) + np.arange(3, dtype=np.uint32))
+    return Mesh(vertices, np.tile(np.arange(3, dtype=np.uint32), (faces, 1)))
 
 
 def used(engine: Engine, what: int, amount: float, allowed: Allowance = PATIENT) -> Ending:
