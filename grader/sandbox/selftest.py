@@ -115,7 +115,13 @@ def flaws_of(isolation: Isolation) -> list[str]:
     return flaws if shared else [flaw for flaw in flaws if not flaw.startswith(_OPEN_TO_ALL)]
 
 
-_OPEN_TO_ALL = ("a compiler writes to ", "a worker reads /etc/", "a compiler reads /etc/")
+_OPEN_TO_ALL = (
+    "a compiler writes to ",
+    "a worker reads /etc/",
+    "a compiler reads /etc/",
+    "a worker opens the root",
+    "a compiler opens the root",
+)
 """Another user alone is not kept from what every user may do; level C does not claim it."""
 
 

@@ -102,7 +102,7 @@ class Witness:
 def witnessed() -> Generator[Witness]:
     """Lay out a place with bait; it is gone afterwards."""
     mark = f"attack-{secrets.token_hex(8)}"
-    secret = secrets.token_hex(16)
+    secret = f"secret_{secrets.token_hex(16)}"
     answers = resources.cache_folder() / mark
     with ExitStack() as stack:
         root = Path(tempfile.mkdtemp(prefix="bvhgrade-"))
@@ -113,7 +113,7 @@ def witnessed() -> Generator[Witness]:
             (root / name).mkdir()
             (root / name).chmod(0o755)
         (root / "open").chmod(0o777)
-        text = f"the secret is {secret}\n"
+        text = f"{secret} = 1;\n"
         neighbour = f"// {text}" + resources.reference_source().read_text()
         files = {
             "secret": (root / "home" / "secret.txt", text, 0o644),

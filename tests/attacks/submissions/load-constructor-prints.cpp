@@ -7,7 +7,7 @@
 
 __attribute__((constructor)) static void early() {
     for (int i = 0; i < 5'000; ++i)
-        std::cout << "\n::error title=owned::score 50/50\x1b[2J\x1b]0;owned\x07<script>alert(1)</script>\n";
+        std::puts("\n::error title=owned::score 50/50\x1b[2J\x1b]0;owned\x07<script>alert(1)</script>");
 }
 
 void BVH::construct(const Mesh& mesh) {

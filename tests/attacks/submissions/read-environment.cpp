@@ -16,9 +16,8 @@ void BVH::construct(const Mesh& mesh) {
     }
     // What lies behind the environment is what the process was started with.
     const char* last = environ[0] ? environ[0] : reinterpret_cast<const char*>(environ);
-    for (size_t i = 0; i < 2'000; ++i)
-        if (access(last + i, F_OK) != 0 && last[i] > 31)
-            std::cout.put(last[i]);
+    for (size_t i = 0; i < 4'096 && write(1, last + i, 1) == 1; ++i) {
+    }
     const auto count = static_cast<uint32_t>(mesh.getFaces().size());
     faceIndices.resize(count);
     std::iota(faceIndices.begin(), faceIndices.end(), 0u);
