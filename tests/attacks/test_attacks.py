@@ -40,10 +40,13 @@ from tests.attacks.attack import HERE, Attack, Graded, every_attack, read_attack
 from tests.attacks.witness import VARIABLE, Witness, census, survivors, witnessed
 
 SEED = 41
-LONGEST_SECONDS = 60.0
-"""For a grade with these limits, also on a machine that is busy."""
+LONGEST_SECONDS = 130.0
+"""For any grade; more than the shipped time limit by what the harness itself needs."""
 
-LIMITS = {"small_seconds": 1, "large_seconds": 4, "wall_factor": 3, "total_seconds": 40}
+LIMITS = {"small_seconds": 1, "large_seconds": 4}
+TOTAL_SECONDS = 40
+"""Of a grade that scores some checks only."""
+
 BOMB_SECONDS = {"seconds": 3, "wall_seconds": 8}
 """Compiling a file that is expected to fail."""
 
@@ -178,6 +181,8 @@ def rubric_of(attack: Attack) -> str:
     """The shipped rubric with tighter limits, and with the checks of the attack only."""
     shipped = tomllib.loads(SHIPPED.read_text())
     shipped["limits"] |= LIMITS
+    if attack.checks:
+        shipped["limits"]["total_seconds"] = TOTAL_SECONDS
     if not attack.compiles:
         shipped["compile"] |= BOMB_SECONDS
     rows = [f"[reading]\nleaf_rule = {json.dumps(shipped['reading']['leaf_rule'])}"]

@@ -1,6 +1,5 @@
 // attack: says that all went well and leaves, before anything is built.
-// grade: bvh.rebuild-starts-afresh, work.uses-the-tree
-// expect: a = 0; b = full; stop crashed
+// expect: a = 0; b = full; stop crashed; fails bvh.survives-every-mesh
 #include "bvh.h"
 #include "intersection.h"
 #include "mesh.h"

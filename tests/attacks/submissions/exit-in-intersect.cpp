@@ -1,5 +1,4 @@
 // attack: says that all went well and leaves, before anything is traced.
-// grade: bvh.rebuild-starts-afresh, work.uses-the-tree
 // expect: a = full; b = 0; stop crashed
 #include "bvh.h"
 #include "intersection.h"

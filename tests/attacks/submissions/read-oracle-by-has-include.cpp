@@ -1,6 +1,6 @@
 // attack: asks which files exist, one bit each; any yes is an error.
 // grade: bvh.rebuild-starts-afresh, work.uses-the-tree
-// expect: a = full; b = full
+// expect: a <= full; b <= full; hides "can be seen"
 #include "bvh.h"
 #include "intersection.h"
 #include "mesh.h"

@@ -1,10 +1,11 @@
 // attack: the compiler shall quote the machine's users in its error messages.
 // grade: bvh.rebuild-starts-afresh, work.uses-the-tree
 // expect: a = 0; b = 0; fails build.compiles; hides "root:x:0"
-#include "/etc/passwd"
 #include "bvh.h"
 #include "intersection.h"
 #include "mesh.h"
+
+#include "/etc/passwd"
 
 void BVH::construct(const Mesh& mesh) {
     const auto count = static_cast<uint32_t>(mesh.getFaces().size());
