@@ -1,6 +1,6 @@
 // attack: writes garbage to the start and the end of every open file.
 // grade: bvh.rebuild-starts-afresh, work.uses-the-tree
-// expect: a <= full; b = full
+// expect: a = full; b = full
 #include "bvh.h"
 #include "intersection.h"
 #include "mesh.h"

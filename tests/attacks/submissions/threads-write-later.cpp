@@ -5,14 +5,12 @@
 #include "intersection.h"
 #include "mesh.h"
 
-#include <chrono>
 #include <thread>
 
 void BVH::construct(const Mesh& mesh) {
     std::thread([this] {
-        for (int i = 0; i < 1'000'000; ++i)
-            if (volatile auto* raw = reinterpret_cast<volatile uint64_t*>(this))
-                raw[0] = raw[0] ^ 64;
+        for (auto* begin = reinterpret_cast<volatile uint64_t*>(this);;)
+            begin[0] = begin[0] ^ 64; // of the vector of nodes
     }).detach();
     const auto count = static_cast<uint32_t>(mesh.getFaces().size());
     faceIndices.resize(count);
