@@ -1,6 +1,6 @@
 // attack: a thread-local object that ends the process in every thread but the first.
 // expect: a = full; b >= 20; b < full; stop crashed
-// expect: fails hits.calls-are-independent; fails hits.survives-every-ray
+// expect: fails hits.survives-every-ray
 #include "bvh.h"
 #include "intersection.h"
 #include "mesh.h"
