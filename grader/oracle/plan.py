@@ -25,6 +25,7 @@ from grader.oracle.meshes import TRACED, construct_meshes, depth_mesh, generator
 from grader.oracle.rays import Request
 from grader.oracle.remember import Arrays, digest_of, remember
 from grader.oracle.scenes import image_trials, load_mesh
+from grader.oracle.spines import DEEPEST, spine_trial
 from grader.oracle.tracing import sample, traced
 
 Trees = Callable[[Sequence[Mesh]], list[Bvh]]
@@ -42,8 +43,13 @@ SANITIZED = (
 )
 """Meshes of the sanitized build; those of more than 256 faces reach its depth limit."""
 
-REBUILT = (("terrain-600", "cloud-37"), ("cloud-9", "ball-1280"), ("cloud-18", "cloud-0"))
-"""Meshes A and B: B smaller, B larger, B empty."""
+REBUILT = (
+    ("terrain-600", "cloud-37"),
+    ("cloud-9", "ball-1280"),
+    ("cloud-18", "cloud-0"),
+    ("strip-x", "strip-y"),
+)
+"""Meshes A and B: B smaller, B larger, B empty, and two that differ in no size."""
 
 ALTERED = ("terrain-1200", "dragon-res4")
 REPEATED_RAYS = 5_000
@@ -58,6 +64,9 @@ WORK = (("dragon-res4", 1_000), ("dragon-res2", 20_000))
 LATTICES = (0, 2)
 DEEPEST_STEP = 701
 """One of so many pixels, not in line with the picture's rows."""
+
+SPINE_STEP = 7
+"""One of so many rays of the deepest tree is for the sanitized build."""
 
 TRIMMED = ("terrain-600", "cloud-5", "soup-degenerate")
 PADDED = ("cloud-37", "parallel-quads")
@@ -105,6 +114,7 @@ def make_plan(seed: int, trees: Trees) -> Plan:
         *_exact_trials(seed, trees),
         *_sampled(tracing),
         *_deepest(pictures),
+        *_spines(seed),
         *_repeats(seed, meshes, built),
         *pictures,
     )
@@ -192,6 +202,12 @@ def _sampled(tracing: Sequence[TraceTrial]) -> list[TraceTrial]:
         for trial in tracing
         if (name := trial.name.partition(",")[0]) in steps
     ]
+
+
+def _spines(seed: int) -> list[TraceTrial]:
+    """Lay out the tree that is as deep as trees may be, for both builds."""
+    trial = spine_trial(seed, DEEPEST)
+    return [trial, sample(trial, SPINE_STEP, f"{trial.name}, sanitized")]
 
 
 def _deepest(pictures: Sequence[ImageTrial]) -> list[TraceTrial]:

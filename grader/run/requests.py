@@ -3,8 +3,6 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-import numpy as np
-
 from grader.model.cases import (
     AlteredCase,
     Case,
@@ -16,7 +14,7 @@ from grader.model.cases import (
     TreeCase,
     WorkCase,
 )
-from grader.model.mesh import Bvh, Floats, Hits, Mesh, Rays
+from grader.model.mesh import Hits, Rays
 from grader.model.stages import Ending
 from grader.model.trials import (
     AlteredTrial,
@@ -30,9 +28,9 @@ from grader.model.trials import (
 )
 from grader.run.job import Job, Result
 from grader.run.protocol import Op
-from grader.tolerances import FACES_PER_LEAF, MAX_DEPTH, NODE_CAPACITY, SMALL_MAX_DEPTH
+from grader.run.transfer import give_mesh, on_tree, read_mesh, read_tree, trace
+from grader.tolerances import FACES_PER_LEAF, MAX_DEPTH, SMALL_MAX_DEPTH
 
-NODE_BYTES, RAY_BYTES, HIT_BYTES = 32, 32, 28
 THREADS = 4
 ROUNDS = 4
 """A race shows only where two threads meet in the same few nanoseconds."""
@@ -63,84 +61,6 @@ def request(trial: Trial) -> Request:
     return _trace(trial)
 
 
-def give_mesh(job: Job, mesh: Mesh) -> int:
-    """Hand a mesh to the worker; returns its slot."""
-    vertices, faces = job.give(mesh.vertices), job.give(mesh.faces)
-    return job.make(Op.MESH, vertices, len(mesh.vertices), faces, len(mesh.faces))
-
-
-def read_tree(job: Job, slot: int, mesh: Mesh) -> Callable[[Result], Bvh]:
-    """Have a tree copied out; returns how to read it."""
-    faces = len(mesh.faces)
-    # A right tree has fewer nodes than faces; a wrong one may have more, but what lies
-    # beyond eight times as many cannot be reached without breaking the leaf rule first.
-    capacity = min(NODE_CAPACITY, max(1024, 8 * faces))
-    nodes = job.reserve(capacity * NODE_BYTES)
-    order = job.reserve((faces + 1) * 4)
-    counts = job.reserve(16)
-    job.do(Op.READ_TREE, slot, nodes, capacity, order, faces + 1, counts)
-
-    def read(result: Result) -> Bvh:
-        node_count, order_count = result.number(counts), result.number(counts + 8)
-        kept = min(node_count, capacity)
-        table = result.array(nodes, 8 * kept, np.uint32).reshape(kept, 8)
-        corners = np.ascontiguousarray(table[:, :6]).view(np.float32)
-        return Bvh(
-            low=corners[:, :3],
-            high=corners[:, 3:],
-            begin=np.ascontiguousarray(table[:, 6]),
-            end=np.ascontiguousarray(table[:, 7]),
-            order=result.array(order, min(order_count, faces + 1), np.uint32),
-            node_count=node_count,
-        )
-
-    return read
-
-
-def give_tree(job: Job, slot: int, tree: Bvh) -> None:
-    """Put a tree of ours into a slot."""
-    table = np.empty((len(tree.begin), 8), np.uint32)
-    table[:, 0:3] = tree.low.view(np.uint32)
-    table[:, 3:6] = tree.high.view(np.uint32)
-    table[:, 6], table[:, 7] = tree.begin, tree.end
-    order = job.give(tree.order)
-    job.do(Op.SET_TREE, slot, job.give(table), len(table), order, len(tree.order))
-
-
-@dataclass(frozen=True, slots=True)
-class Traced:
-    """Hits of each thread, and the counted calls of the given tests."""
-
-    hits: tuple[Hits, ...]
-    tests: tuple[float, float]
-    """Mean calls per ray of the box test and of the triangle test."""
-
-
-def trace(job: Job, slot: int, rays: Rays, threads: int = 1) -> Callable[[Result], Traced]:
-    """Have rays traced; returns how to read what came back."""
-    count = len(rays.t_min)
-    table = np.empty((count, 8), np.float32)
-    table[:, 0:3], table[:, 3:6] = rays.origin, rays.direction
-    table[:, 6], table[:, 7] = rays.t_min, rays.t_max
-    hits, tests = job.reserve(threads * count * HIT_BYTES), job.reserve(threads * count * 8)
-    done = job.reserve(8)
-    job.do(Op.TRACE, slot, job.give(table), count, hits, tests, done, threads)
-
-    def read(result: Result) -> Traced:
-        every = result.array(hits, threads * count * 7, np.float32).reshape(threads, count, 7)
-        counts = result.array(tests, threads * count * 2, np.uint32).reshape(-1, 2)
-        boxes, triangles = counts.mean(axis=0, dtype=np.float64) if count else (0.0, 0.0)
-        return Traced(tuple(hits_of(part) for part in every), (float(boxes), float(triangles)))
-
-    return read
-
-
-def hits_of(table: Floats) -> Hits:
-    """Split (R, 7) float32 rows into point, t and normal."""
-    point, t, normal = table[:, 0:3], table[:, 3], table[:, 4:7]
-    return Hits(*(np.ascontiguousarray(part) for part in (point, t, normal)))
-
-
 def _construct(trial: ConstructTrial) -> Request:
     job = Job()
     slot = give_mesh(job, trial.mesh)
@@ -159,16 +79,17 @@ def _construct(trial: ConstructTrial) -> Request:
 
 
 def _rebuild(trial: RebuildTrial) -> Request:
-    """A, B, A into one tree while another one, of B, is alive; then both meshes are read.
+    """A into its own tree, then A, B, A into one tree while another one, of B, is alive.
 
-    A second process builds B alone, to tell what is left over from what is always so.
+    Then both meshes are read. A second process builds B alone, to tell what is left over from what is always so.
     """
     job = Job()
     first, second = give_mesh(job, trial.first), give_mesh(job, trial.second)
     again, other = job.make(Op.TREE), job.make(Op.TREE)
     readers = []
     for label, tree, slot, mesh in (
-        ("first call, mesh A", again, first, trial.first),
+        ("first call, mesh A", first, first, trial.first),
+        ("a second tree, mesh A", again, first, trial.first),
         ("another tree, mesh B", other, second, trial.second),
         ("second call, mesh B", again, second, trial.second),
         ("third call, mesh A", again, first, trial.first),
@@ -177,7 +98,7 @@ def _rebuild(trial: RebuildTrial) -> Request:
         readers.append((label, mesh, read_tree(job, tree, mesh)))
     readers.append(("the other tree, later", trial.second, read_tree(job, other, trial.second)))
     meshes = [
-        (label, mesh, _read_mesh(job, slot, mesh))
+        (label, mesh, read_mesh(job, slot, mesh))
         for label, mesh, slot in (("A", trial.first, first), ("B", trial.second, second))
     ]
 
@@ -202,32 +123,9 @@ def _rebuild(trial: RebuildTrial) -> Request:
     return Request((job, alone), read)
 
 
-def _read_mesh(job: Job, slot: int, mesh: Mesh) -> Callable[[Result], Mesh]:
-    vertex_room, face_room = len(mesh.vertices) + 1, len(mesh.faces) + 1
-    vertices, faces = job.reserve(vertex_room * 12), job.reserve(face_room * 12)
-    counts = job.reserve(16)
-    job.do(Op.READ_MESH, slot, vertices, vertex_room, faces, face_room, counts)
-
-    def read(result: Result) -> Mesh:
-        vertex_count = min(result.number(counts), vertex_room)
-        face_count = min(result.number(counts + 8), face_room)
-        return Mesh(
-            result.array(vertices, 3 * vertex_count, np.float32).reshape(-1, 3),
-            result.array(faces, 3 * face_count, np.uint32).reshape(-1, 3),
-        )
-
-    return read
-
-
-def _on_tree(job: Job, mesh: Mesh, tree: Bvh) -> int:
-    slot = give_mesh(job, mesh)
-    give_tree(job, slot, tree)
-    return slot
-
-
 def _trace(trial: TraceTrial | AlteredTrial | ImageTrial) -> Request:
     job = Job()
-    hits = trace(job, _on_tree(job, trial.mesh, trial.tree), trial.rays)
+    hits = trace(job, on_tree(job, trial.mesh, trial.tree), trial.rays)
 
     def read(results: Sequence[Result], _: Ending) -> tuple[Case, ...]:
         (result,) = results
@@ -244,7 +142,7 @@ def _trace(trial: TraceTrial | AlteredTrial | ImageTrial) -> Request:
 
 def _work(trial: WorkTrial) -> Request:
     job = Job()
-    traced = trace(job, _on_tree(job, trial.mesh, trial.tree), trial.rays)
+    traced = trace(job, on_tree(job, trial.mesh, trial.tree), trial.rays)
 
     def read(results: Sequence[Result], ending: Ending) -> tuple[Case, ...]:
         (result,) = results
@@ -257,10 +155,13 @@ def _work(trial: WorkTrial) -> Request:
 
 
 def _repeat(trial: RepeatTrial) -> Request:
-    """The same rays: forwards, backwards, again, after another mesh's rays, from threads."""
+    """The same rays: forwards, backwards, again, after another mesh's rays, from threads.
+
+    In a second process the threads come first: nothing was prepared by a ray before.
+    """
     job = Job()
-    slot = _on_tree(job, trial.mesh, trial.tree)
-    other = _on_tree(job, trial.other_mesh, trial.other_tree)
+    slot = on_tree(job, trial.mesh, trial.tree)
+    other = on_tree(job, trial.other_mesh, trial.other_tree)
     rays = trial.rays
     first = trace(job, slot, rays)
     backwards = trace(job, slot, _reversed(rays))
@@ -268,9 +169,11 @@ def _repeat(trial: RepeatTrial) -> Request:
     elsewhere = trace(job, other, rays)
     after = trace(job, slot, rays)
     together = [trace(job, slot, rays, THREADS) for _ in range(ROUNDS)]
+    cold = Job()
+    at_once = trace(cold, on_tree(cold, trial.mesh, trial.tree), rays, THREADS)
 
     def read(results: Sequence[Result], _: Ending) -> tuple[Case, ...]:
-        (result,) = results
+        result, unprepared = results
         repeats = [
             ("in reverse order", _reversed_hits(backwards(result).hits[0])),
             ("a second time", again(result).hits[0]),
@@ -280,11 +183,15 @@ def _repeat(trial: RepeatTrial) -> Request:
                 for threads in together
                 for hits in threads(result).hits
             ),
+            *(
+                (f"from {THREADS} threads before any other ray", hits)
+                for hits in at_once(unprepared).hits
+            ),
         ]
         begun, other_hits = first(result).hits[0], elsewhere(result).hits[0]
         return (RepeatCase(trial.name, trial, begun, tuple(repeats), other_hits),)
 
-    return Request((job,), read)
+    return Request((job, cold), read)
 
 
 def _reversed(rays: Rays) -> Rays:

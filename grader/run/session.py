@@ -21,7 +21,8 @@ MODULES = tuple(
 """What a worker is made of: `worker` is what it becomes once it is confined."""
 
 _BY_TICKS = 0.75
-"""The kernel's limit counts whole ticks, which on a busy machine are more than was used."""
+"""The kernel's limit counts whole ticks, which on a busy machine are more than was used, or
+less."""
 
 FILE_BYTES = 1 << 20
 """A worker writes no file; the pages of its result do not count."""
@@ -100,7 +101,7 @@ def run_job(job: Job, engine: Engine, allowed: Allowance) -> tuple[Ending, Resul
 def _bounds(engine: Engine, allowed: Allowance) -> Bounds:
     limits = engine.limits
     return Bounds(
-        cpu_seconds=max(1, math.ceil(allowed.cpu_seconds)),
+        cpu_seconds=_whole(allowed),
         memory_bytes=limits.memory_mib << 20,
         file_bytes=FILE_BYTES,
         open_files=limits.open_files,
@@ -135,6 +136,9 @@ def _stop(
         return Stop.TIMED_OUT, f"stopped after {allowed.wall_seconds:.3g} s"
     if outcome.code < 0:
         return _killed(-outcome.code, outcome, allowed)
+    if outcome.cpu_seconds > _whole(allowed):
+        # Who reads the clock often, in several threads, is stopped late or not at all.
+        return _computed_too_long(allowed)
     if status != Status.OK:
         return _failed(status, result)
     if complete and outcome.code == 0:
@@ -145,14 +149,22 @@ def _stop(
 
 
 def _killed(number: int, outcome: Outcome, allowed: Allowance) -> tuple[Stop, str]:
-    limit = max(1, math.ceil(allowed.cpu_seconds))
     # A submission may ignore SIGXCPU; one second later it is killed.
-    long = outcome.cpu_seconds >= _BY_TICKS * limit
+    long = outcome.cpu_seconds >= _BY_TICKS * _whole(allowed)
     if number == signal.SIGXCPU or (number == signal.SIGKILL and long):
-        return Stop.TIMED_OUT, f"stopped after {limit} s of computing time"
+        return _computed_too_long(allowed)
     if number == signal.SIGSYS:
         return Stop.FORBIDDEN, "stopped: it made a system call that no program here needs"
     return Stop.CRASHED, f"ended by {_signal_name(number)}"
+
+
+def _whole(allowed: Allowance) -> int:
+    """Seconds as the kernel counts them."""
+    return max(1, math.ceil(allowed.cpu_seconds))
+
+
+def _computed_too_long(allowed: Allowance) -> tuple[Stop, str]:
+    return Stop.TIMED_OUT, f"stopped after {_whole(allowed)} s of computing time"
 
 
 def _failed(status: int, result: Result) -> tuple[Stop, str]:

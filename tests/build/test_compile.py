@@ -12,8 +12,8 @@ from grader.model.stages import Build, Diagnostic, Stop
 from grader.model.verdict import Verdict
 from grader.run.job import Job
 from grader.run.protocol import Op
-from grader.run.requests import give_mesh
 from grader.run.session import run_job
+from grader.run.transfer import give_mesh
 from grader.verify.source import construct_loops
 from tests.compiled import (
     BEGIN,

@@ -21,8 +21,9 @@ from grader.model.trials import ConstructTrial, RebuildTrial, Trial, WorkTrial
 from grader.run import session
 from grader.run.job import Job
 from grader.run.protocol import Op
-from grader.run.requests import give_mesh, give_tree, read_tree, request, trace
+from grader.run.requests import request
 from grader.run.session import Engine, run_job
+from grader.run.transfer import give_mesh, give_tree, read_tree, trace
 from tests.compiled import PATIENT
 from tests.verify.builder import altered, build, failed, mesh_of, soup
 from tests.verify.trials import every_trial
@@ -99,12 +100,19 @@ def test_a_tree_that_is_too_large_is_cut_and_counted(reference: Engine) -> None:
     assert back.order.tolist() == [0, 1, 2]
 
 
-def test_a_rebuild_gives_five_trees_and_both_meshes(reference: Engine) -> None:
+def test_a_rebuild_gives_six_trees_and_both_meshes(reference: Engine) -> None:
     """Each tree belongs to its mesh, and the meshes come back byte for byte."""
     first, second = soup(37), soup(12, seed=9)
     _, case = delivered(RebuildTrial("rebuild", first, second), reference)
     assert isinstance(case, RebuildCase)
-    assert [mesh is first for _, mesh, _ in case.trees] == [True, False, False, True, False]
+    assert [mesh is first for _, mesh, _ in case.trees] == [
+        True,
+        True,
+        False,
+        False,
+        True,
+        False,
+    ]
     for _, mesh, bvh in (*case.trees, ("alone", second, case.alone)):
         assert failed(mesh, bvh) == set()
     for _, given, after in case.meshes:

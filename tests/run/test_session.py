@@ -10,8 +10,8 @@ from grader.model.mesh import Mesh, Rays
 from grader.model.stages import Ending, Stop
 from grader.run.job import Job
 from grader.run.protocol import Op
-from grader.run.requests import give_mesh, trace
 from grader.run.session import Allowance, Engine, run_job
+from grader.run.transfer import give_mesh, trace
 from tests.compiled import PATIENT
 from tests.verify.builder import soup
 

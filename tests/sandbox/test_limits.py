@@ -12,8 +12,8 @@ from grader.model.mesh import Bvh, Mesh
 from grader.model.stages import Build, Ending, Stop
 from grader.run.job import Job
 from grader.run.protocol import Op
-from grader.run.requests import give_mesh, read_tree
 from grader.run.session import Allowance, Engine, run_job
+from grader.run.transfer import give_mesh, read_tree
 from grader.sandbox.box import Isolation
 from grader.sandbox.streams import DROPPED
 from tests.compiled import PATIENT, compilation, engine_of, submission_of

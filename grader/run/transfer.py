@@ -1,0 +1,116 @@
+"""How meshes, trees and rays go into a job, and how trees and hits come back."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from grader.model.mesh import Bvh, Floats, Hits, Mesh, Rays
+from grader.run.job import Job, Result
+from grader.run.protocol import Op
+from grader.tolerances import NODE_CAPACITY
+
+NODE_BYTES, RAY_BYTES, HIT_BYTES = 32, 32, 28
+
+
+def give_mesh(job: Job, mesh: Mesh) -> int:
+    """Hand a mesh to the worker; returns its slot."""
+    vertices, faces = job.give(mesh.vertices), job.give(mesh.faces)
+    return job.make(Op.MESH, vertices, len(mesh.vertices), faces, len(mesh.faces))
+
+
+def read_tree(job: Job, slot: int, mesh: Mesh) -> Callable[[Result], Bvh]:
+    """Have a tree copied out; returns how to read it."""
+    faces = len(mesh.faces)
+    # A right tree has fewer nodes than faces; a wrong one may have more, but what lies
+    # beyond eight times as many cannot be reached without breaking the leaf rule first.
+    capacity = min(NODE_CAPACITY, max(1024, 8 * faces))
+    nodes = job.reserve(capacity * NODE_BYTES)
+    order = job.reserve((faces + 1) * 4)
+    counts = job.reserve(16)
+    job.do(Op.READ_TREE, slot, nodes, capacity, order, faces + 1, counts)
+
+    def read(result: Result) -> Bvh:
+        node_count, order_count = result.number(counts), result.number(counts + 8)
+        kept = min(node_count, capacity)
+        table = result.array(nodes, 8 * kept, np.uint32).reshape(kept, 8)
+        corners = np.ascontiguousarray(table[:, :6]).view(np.float32)
+        return Bvh(
+            low=corners[:, :3],
+            high=corners[:, 3:],
+            begin=np.ascontiguousarray(table[:, 6]),
+            end=np.ascontiguousarray(table[:, 7]),
+            order=result.array(order, min(order_count, faces + 1), np.uint32),
+            node_count=node_count,
+        )
+
+    return read
+
+
+def give_tree(job: Job, slot: int, tree: Bvh) -> None:
+    """Put a tree of ours into a slot."""
+    table = np.empty((len(tree.begin), 8), np.uint32)
+    table[:, 0:3] = tree.low.view(np.uint32)
+    table[:, 3:6] = tree.high.view(np.uint32)
+    table[:, 6], table[:, 7] = tree.begin, tree.end
+    order = job.give(tree.order)
+    job.do(Op.SET_TREE, slot, job.give(table), len(table), order, len(tree.order))
+
+
+@dataclass(frozen=True, slots=True)
+class Traced:
+    """Hits of each thread, and the counted calls of the given tests."""
+
+    hits: tuple[Hits, ...]
+    tests: tuple[float, float]
+    """Mean calls per ray of the box test and of the triangle test."""
+
+
+def trace(job: Job, slot: int, rays: Rays, threads: int = 1) -> Callable[[Result], Traced]:
+    """Have rays traced; returns how to read what came back."""
+    count = len(rays.t_min)
+    table = np.empty((count, 8), np.float32)
+    table[:, 0:3], table[:, 3:6] = rays.origin, rays.direction
+    table[:, 6], table[:, 7] = rays.t_min, rays.t_max
+    hits, tests = job.reserve(threads * count * HIT_BYTES), job.reserve(threads * count * 8)
+    done = job.reserve(8)
+    job.do(Op.TRACE, slot, job.give(table), count, hits, tests, done, threads)
+
+    def read(result: Result) -> Traced:
+        every = result.array(hits, threads * count * 7, np.float32).reshape(threads, count, 7)
+        counts = result.array(tests, threads * count * 2, np.uint32).reshape(-1, 2)
+        boxes, triangles = counts.mean(axis=0, dtype=np.float64) if count else (0.0, 0.0)
+        return Traced(tuple(hits_of(part) for part in every), (float(boxes), float(triangles)))
+
+    return read
+
+
+def hits_of(table: Floats) -> Hits:
+    """Split (R, 7) float32 rows into point, t and normal."""
+    point, t, normal = table[:, 0:3], table[:, 3], table[:, 4:7]
+    return Hits(*(np.ascontiguousarray(part) for part in (point, t, normal)))
+
+
+def read_mesh(job: Job, slot: int, mesh: Mesh) -> Callable[[Result], Mesh]:
+    """Have a mesh copied out; returns how to read it."""
+    vertex_room, face_room = len(mesh.vertices) + 1, len(mesh.faces) + 1
+    vertices, faces = job.reserve(vertex_room * 12), job.reserve(face_room * 12)
+    counts = job.reserve(16)
+    job.do(Op.READ_MESH, slot, vertices, vertex_room, faces, face_room, counts)
+
+    def read(result: Result) -> Mesh:
+        vertex_count = min(result.number(counts), vertex_room)
+        face_count = min(result.number(counts + 8), face_room)
+        return Mesh(
+            result.array(vertices, 3 * vertex_count, np.float32).reshape(-1, 3),
+            result.array(faces, 3 * face_count, np.uint32).reshape(-1, 3),
+        )
+
+    return read
+
+
+def on_tree(job: Job, mesh: Mesh, tree: Bvh) -> int:
+    """Hand a mesh with a tree of ours to the worker; returns its slot."""
+    slot = give_mesh(job, mesh)
+    give_tree(job, slot, tree)
+    return slot
