@@ -28,10 +28,11 @@ def adopted(folder: Path, name: str, most: int) -> bytes | None:
         return None
     finally:
         os.close(parent)
+    state = os.fstat(handle)
+    if not stat.S_ISREG(state.st_mode) or state.st_size > most:
+        os.close(handle)
+        return None
     with os.fdopen(handle, "rb") as file:
-        state = os.fstat(handle)
-        if not stat.S_ISREG(state.st_mode) or state.st_size > most:
-            return None
         # The size may still grow behind our back; the limit does not.
         content = file.read(most + 1)
     return content if len(content) <= most else None

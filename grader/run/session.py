@@ -143,9 +143,9 @@ def _stop(
         return _failed(status, result)
     if complete and outcome.code == 0:
         return Stop.FINISHED, ""
-    if outcome.code == SANITIZER_EXIT:
-        return Stop.CRASHED, "ended by the sanitizer"
-    return Stop.CRASHED, f"the program ended itself with exit status {outcome.code}"
+    by_itself = f"the program ended itself with exit status {outcome.code}"
+    by_sanitizer = outcome.code == SANITIZER_EXIT
+    return Stop.CRASHED, "ended by the sanitizer" if by_sanitizer else by_itself
 
 
 def _killed(number: int, outcome: Outcome, allowed: Allowance) -> tuple[Stop, str]:

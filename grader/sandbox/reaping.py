@@ -2,7 +2,8 @@
 
 The grader adopts orphans (PR_SET_CHILD_SUBREAPER). So the first process of a namespace becomes
 our child when bubblewrap ends, and once it is reaped the kernel has removed every process of
-that namespace and added up their CPU time: nothing inside can forge or outlive that.
+that namespace: nothing inside can outlive that. It also has the CPU time of all processes that
+ended before; the time of those that were killed with it is lost.
 """
 
 import ctypes
