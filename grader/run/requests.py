@@ -81,7 +81,8 @@ def _construct(trial: ConstructTrial) -> Request:
 def _rebuild(trial: RebuildTrial) -> Request:
     """A into its own tree, then A, B, A into one tree while another one, of B, is alive.
 
-    Then both meshes are read. A second process builds B alone, to tell what is left over from what is always so.
+    Then both meshes are read. A second process builds B alone, to tell what is left over from
+    what is always so.
     """
     job = Job()
     first, second = give_mesh(job, trial.first), give_mesh(job, trial.second)

@@ -134,11 +134,8 @@ def _stop(
 ) -> tuple[Stop, str]:
     if outcome.timed_out:
         return Stop.TIMED_OUT, f"stopped after {allowed.wall_seconds:.3g} s"
-    if outcome.code < 0:
+    if outcome.code < 0 or outcome.cpu_seconds > _whole(allowed):
         return _killed(-outcome.code, outcome, allowed)
-    if outcome.cpu_seconds > _whole(allowed):
-        # Who reads the clock often, in several threads, is stopped late or not at all.
-        return _computed_too_long(allowed)
     if status != Status.OK:
         return _failed(status, result)
     if complete and outcome.code == 0:
@@ -149,9 +146,10 @@ def _stop(
 
 
 def _killed(number: int, outcome: Outcome, allowed: Allowance) -> tuple[Stop, str]:
-    # A submission may ignore SIGXCPU; one second later it is killed.
+    # A submission may ignore SIGXCPU; one second later it is killed. And who reads the clock
+    # often, in several threads, is stopped late or not at all.
     long = outcome.cpu_seconds >= _BY_TICKS * _whole(allowed)
-    if number == signal.SIGXCPU or (number == signal.SIGKILL and long):
+    if number <= 0 or number == signal.SIGXCPU or (number == signal.SIGKILL and long):
         return _computed_too_long(allowed)
     if number == signal.SIGSYS:
         return Stop.FORBIDDEN, "stopped: it made a system call that no program here needs"
