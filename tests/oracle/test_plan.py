@@ -54,6 +54,7 @@ def _small(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(module, "REPEATED", (("cloud-37", "terrain-1200"),))
     monkeypatch.setattr(module, "REPEATED_RAYS", 50)
     monkeypatch.setattr(module, "WORK", (("nested", 50),))
+    monkeypatch.setattr(module, "DEEPEST", 6)
     monkeypatch.setattr(module, "image_trials", lambda _: [])
 
 
