@@ -35,14 +35,14 @@ def zombies() -> set[int]:
     return {pid for pid, row in rows.items() if row[:2] == [b"Z", mine]}
 
 
-def wait_for_word(word: str, count: int = 1) -> set[int]:
-    """Wait until so many processes have a word in their command line."""
+def wait_for_words(*words: str) -> set[int]:
+    """Wait until a process has all these words in its command line; all that have the first."""
     for _ in range(6000):
-        found = with_word(word)
-        if len(found) >= count:
-            return found
+        found = [with_word(word) for word in words]
+        if set.intersection(*found):
+            return found[0]
         time.sleep(0.02)
-    raise AssertionError(f"no process with {word} in two minutes")
+    raise AssertionError(f"no process with {words} in two minutes")
 
 
 def all_gone(pids: set[int]) -> bool:

@@ -15,7 +15,7 @@ from grader.sandbox import confine
 from grader.sandbox.box import Isolation
 from grader.sandbox.selftest import proved_isolation
 from tests.sandbox.boxes import as_worker, python_as_compiler
-from tests.sandbox.census import all_gone, wait_for_word, with_word, zombies
+from tests.sandbox.census import all_gone, wait_for_words, with_word, zombies
 
 CHECKOUT = Path(__file__).parents[2]
 
@@ -178,29 +178,45 @@ def test_no_box_outlives_a_grader_that_is_killed(
     assert with_word(token) == set()
 
 
-LOOP = """#include "bvh.h"
-#include "intersection.h"
-#include "mesh.h"
-void BVH::construct(const Mesh&) { for (volatile int i = 0; i == 0;) {} }
+BEGIN = '#include "bvh.h"\n#include "intersection.h"\n#include "mesh.h"\n'
+LOOP = "void BVH::construct(const Mesh&) { for (volatile int i = 0; i == 0;) {} }\n"
+LONG = """constexpr long work(long n) { long s = 0; while (s < n) s += 1; return s; }
+template <int N> constexpr long all = work(30000 + N) + all<N - 1>;
+template <> constexpr long all<0> = 0;
+static_assert(all<800> != 0);
 """
 
 
+PHASES = {
+    "runs": (LOOP, ("\0worker\0", "filter=")),
+    "compiles": (LONG, ("cc1plus",)),
+}
+"""A submission that stays there for ever, and the words of its process, not of the reference's."""
+
+
 @pytest.mark.parametrize(
-    ("number", "status", "level"), [(signal.SIGTERM, 143, "A"), (signal.SIGINT, 130, "B")]
+    ("phase", "number", "level"),
+    [
+        ("runs", signal.SIGTERM, "A"),
+        ("runs", signal.SIGINT, "B"),
+        ("compiles", signal.SIGINT, "A"),
+        ("compiles", signal.SIGTERM, "B"),
+    ],
 )
+@pytest.mark.usefixtures("cache")
 def test_a_grader_that_is_asked_to_end_takes_all_with_it(
-    number: signal.Signals, status: int, level: str, open_folder: Path, cache: Path
+    phase: str, number: signal.Signals, level: str, open_folder: Path
 ) -> None:
     """In the middle of a submission that never ends: no process, no result, no folder."""
     temporary, submission = open_folder / "temporary", open_folder / "exercise03.cpp"
     temporary.mkdir(mode=0o711)
-    submission.write_text(LOOP)
+    source, words = PHASES[phase]
+    submission.write_text(BEGIN + source)
     process = subprocess.Popen(
         [sys.executable, "-m", "grader", "grade", str(submission), "-o", "out"],
         cwd=open_folder,
         env={
             **os.environ,
-            "BVHGRADE_CACHE": str(cache),
             "BVHGRADE_ISOLATION": level,
             "PYTHONPATH": str(CHECKOUT),
             "TMPDIR": str(temporary),
@@ -208,11 +224,10 @@ def test_a_grader_that_is_asked_to_end_takes_all_with_it(
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
     )
-    running = wait_for_word(f"{temporary}/", 2)
-    wait_for_word("\0worker\0" + str(temporary))
+    running = wait_for_words(str(temporary), *words)
     process.send_signal(number)
     _, said = process.communicate()
-    assert (process.returncode, b"Traceback" in said) == (status, False), said
+    assert (process.returncode, b"Traceback" in said) == (128 + number, False), said
     assert all_gone(running)
     assert with_word(str(temporary)) == set()
     assert list(temporary.iterdir()) == []
