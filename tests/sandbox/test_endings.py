@@ -188,10 +188,10 @@ static_assert(all<800> != 0);
 
 
 PHASES = {
-    "runs": (LOOP, ("\0worker\0", "filter=")),
+    "runs": (LOOP, ("\0worker\0{folder}", "filter=")),
     "compiles": (LONG, ("cc1plus",)),
 }
-"""A submission that stays there for ever, and the words of its process, not of the reference's."""
+"""A submission that stays there for ever, and words of its process, not of one of ours."""
 
 
 @pytest.mark.parametrize(
@@ -224,7 +224,7 @@ def test_a_grader_that_is_asked_to_end_takes_all_with_it(
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
     )
-    running = wait_for_words(str(temporary), *words)
+    running = wait_for_words(str(temporary), *(each.format(folder=temporary) for each in words))
     process.send_signal(number)
     _, said = process.communicate()
     assert (process.returncode, b"Traceback" in said) == (128 + number, False), said
