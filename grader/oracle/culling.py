@@ -26,8 +26,10 @@ CHUNK = 1 << 17
 EXTRA = 1.25
 """Boxes are padded by so much more than the rule's own box test, for float32's sake."""
 
-TINY = 1e-30
-"""What a zero of a unit direction becomes: 30 orders of magnitude below any margin."""
+TINY, TINIEST = 1e-30, 1e-32
+"""What a zero of a unit direction becomes: 30 orders of magnitude below any margin. It becomes
+the second number at least, whose inverse is a float32: 20 orders below a length of 1e-12.
+"""
 
 WIDEST = EXTRA * EDGE_PADDING * UNIT_ROUNDOFF * NEEDLE
 """The padding of the flattest face that can be an EDGE."""
@@ -136,7 +138,7 @@ def _slab_test(boxes: tuple[Floats, Floats], rays: Rays, until: Doubles) -> Touc
     origin = rays.origin
     direction = rays.direction.astype(np.float64)
     speed = np.sqrt((direction * direction).sum(axis=1, keepdims=True))
-    tiny = np.copysign(TINY * speed, direction)
+    tiny = np.copysign(np.maximum(TINY * speed, TINIEST), direction)
     moving = np.where(np.abs(direction) < np.abs(tiny), tiny, direction)
     inverse = (1 / moving).astype(np.float32)
     backward = np.abs(inverse)

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from grader.model.mesh import SOLID, Doubles, Rays
+from grader.model.mesh import SOLID, Doubles, Integers, Rays
 from grader.oracle.brute import Candidates
 from grader.oracle.bundle import (
     Stage,
@@ -26,12 +26,16 @@ def on_face(stage: Stage, count: int) -> Rays:
 
 
 def t_interval(stage: Stage, count: int) -> Rays:
-    """With t_min and t_max before, between and behind the hits of the ray."""
-    rays = to_surface(stage, count)
+    """With t_min and t_max before, between and behind the hits of the ray.
+
+    A ray comes several times in a row, each time with another interval. Directions have
+    any length, and what comes first begins at 0 as often as a little later.
+    """
+    rays, scale = _scaled(stage, count)
     first, second, last = _hit_distances(stage.look(rays), count)
     between = (first + second) / 2
     everything = np.full(count, np.inf)
-    nothing = np.full(count, EPSILON)
+    nothing = stage.rng.choice([0.0, EPSILON], count) / scale
     choices = (
         (nothing, first / 2),
         (nothing, between),
@@ -41,22 +45,31 @@ def t_interval(stage: Stage, count: int) -> Rays:
         (first / 2, between),
         (between, between),
     )
-    which = stage.rng.integers(len(choices), size=count)
+    which = _in_turn(stage, count, len(choices))
     t_min, t_max = (np.choose(which, [choice[end] for choice in choices]) for end in range(2))
     return Rays(rays.origin, rays.direction, t_min.astype(np.float32), t_max.astype(np.float32))
 
 
 def any_length(stage: Stage, count: int) -> Rays:
-    """With directions a thousand times too short or too long, or anything between."""
+    """With directions a thousand times too short or too long, or anything between.
+
+    Some are so short or long that neither 1e9 is infinite nor 1e-5 close to zero.
+    """
     rays = inbound(stage, count)
     length = 10.0 ** stage.rng.uniform(-3, 3, (count, 1))
     length[::3], length[1::3] = 1e-3, 1e3
+    length[::5], length[1::5] = SHORTEST, LONGEST
+    extreme = (length == SHORTEST) | (length == LONGEST)
+    t_min = np.where(extreme, EPSILON / length, EPSILON)[:, 0]
     direction = unit(rays.direction.astype(np.float64)) * length
-    return beams(rays.origin.astype(np.float64), direction)
+    return beams(rays.origin.astype(np.float64), direction, t_min)
 
 
 def along_axes(stage: Stage, count: int) -> Rays:
-    """Parallel to one or two axes, with zeros of both signs, often in a box's plane."""
+    """Parallel to one or two axes, with zeros of both signs, often in a box's plane.
+
+    Some start so far away that a zero must not be replaced by something small.
+    """
     direction = directions(stage, count)
     axis = stage.rng.integers(3, size=count)
     single = stage.rng.random(count) < 0.7
@@ -66,7 +79,9 @@ def along_axes(stage: Stage, count: int) -> Rays:
     direction = unit(direction)
     direction[~kept] *= stage.rng.choice([-1.0, 1.0], np.count_nonzero(~kept))
     through = _mixed(stage, within(stage, count))
-    return beams(through - 2 * stage.radius * direction, direction)
+    distance = np.full((count, 1), 2.0)
+    distance[::3] = 10.0 ** stage.rng.uniform(*FAR, distance[::3].shape)
+    return beams(through - distance * stage.radius * direction, direction)
 
 
 def in_slab_planes(stage: Stage, count: int) -> Rays:
@@ -125,6 +140,22 @@ def silhouette(stage: Stage, count: int) -> Rays:
     return beams(target + nudge * outwards - 2 * stage.radius * direction, direction)
 
 
+SHORTEST, LONGEST = 1e-10, 1e8
+"""Lengths of directions. Times the squares of edges, 1e-8 to 1e8, they are floats still."""
+
+SCALES = (-6.0, 6.0)
+"""Powers of ten between which the lengths of directions of limited rays are drawn."""
+
+IN_A_ROW = 3
+"""So often the same ray comes with different limits."""
+
+FAR = (0.3, 3.0)
+"""Powers of ten between which distances are drawn, in radii, from which axes are followed.
+
+At 1000 radii 1e-5 instead of 0 leads a hundredth of the radius astray, fifteen times what the
+rule of closest hits allows.
+"""
+
 SOME = 4_000
 """Vertices among which the outermost is looked for."""
 
@@ -140,6 +171,25 @@ SPECIAL = {
     "silhouette": silhouette,
 }
 """Family by name. All but `any-length` need a face."""
+
+
+def _scaled(stage: Stage, count: int) -> tuple[Rays, Doubles]:
+    """Return rays to the surface, the same ones in a row, and the lengths of directions."""
+    different = -(-count // IN_A_ROW)
+    rays = to_surface(stage, different)
+    scale = 10.0 ** stage.rng.uniform(*SCALES, different)
+    direction = rays.direction.astype(np.float64) * scale[:, None]
+    row = np.repeat(np.arange(different), IN_A_ROW)[:count]
+    return beams(rays.origin[row].astype(np.float64), direction[row], 0.0), scale[row]
+
+
+def _in_turn(stage: Stage, count: int, choices: int) -> Integers:
+    """Draw numbers below a prime number of choices, different ones for rays in a row."""
+    different = -(-count // IN_A_ROW)
+    first = stage.rng.integers(choices, size=(different, 1))
+    step = stage.rng.integers(1, choices, size=(different, 1))
+    turns: Integers = (first + step * np.arange(IN_A_ROW)) % choices
+    return turns.ravel()[:count]
 
 
 def _hit_distances(found: Candidates, rays: int) -> tuple[Doubles, Doubles, Doubles]:

@@ -4,12 +4,14 @@ import numpy as np
 import pytest
 
 from grader.model.mesh import Mask, Rays
-from grader.oracle.brute import answers
+from grader.oracle.brute import answers, classified, nearest
+from grader.oracle.culling import all_pairs
 from grader.oracle.ordinary import ORDINARY
 from grader.oracle.rays import Request, rays_on
 from grader.oracle.special import SPECIAL
 from grader.tolerances import EPSILON
-from grader.verify.closest import is_ambiguous
+from grader.verify.closest import is_ambiguous, judge
+from tests.oracle.tracer import trace
 from tests.oracle.treebuilder import planted
 
 
@@ -67,11 +69,54 @@ def test_intervals_cut_hits_off() -> None:
     assert (rays.t_min > 10 * EPSILON).any()
 
 
-def test_lengths_of_directions_range_over_a_million() -> None:
-    """The shortest direction is 1e-3 long, the longest 1e3."""
-    length = np.linalg.norm(family("any-length")[0].direction, axis=1)
-    assert length.min() < 2e-3
-    assert length.max() > 5e2
+def test_limited_rays_come_in_a_row_with_different_limits() -> None:
+    """Three times the same ray, never with the same interval, of lengths of twelve orders."""
+    rays, _, _ = family("t-interval", "nested-spheres")
+    same = (rays.origin[1:] == rays.origin[:-1]).all(axis=1)
+    same &= (rays.direction[1:] == rays.direction[:-1]).all(axis=1)
+    assert 0.6 < same.mean() < 0.7
+    other = (rays.t_min[1:] != rays.t_min[:-1]) | (rays.t_max[1:] != rays.t_max[:-1])
+    assert other[same].all()
+    length = np.linalg.norm(rays.direction.astype(np.float64), axis=1)
+    assert length.min() < 1e-4
+    assert length.max() > 1e4
+    assert (rays.t_min == 0).any()
+
+
+def test_lengths_of_directions_are_as_different_as_float32_bears() -> None:
+    """Many are 1e-3 or 1e3 long, some 1e-10 or 1e8, where limits of t are as different."""
+    rays, hit, ambiguous = family("any-length")
+    length = np.linalg.norm(rays.direction.astype(np.float64), axis=1)
+    for expected in (1e-10, 1e-3, 1e3, 1e8):
+        assert np.isclose(length, expected, rtol=1e-5).mean() > 0.15
+    assert hit[length > 1e7].any()
+    assert hit[length < 1e-9].any()
+    assert ambiguous.mean() < 0.05
+
+
+@pytest.mark.parametrize("name", ["any-length", "t-interval"])
+@pytest.mark.parametrize("mesh", ["scaled-small", "scaled-large", "terrain-600"])
+def test_no_float32_test_is_wrong_because_of_a_length(mesh: str, name: str) -> None:
+    """Neither underflow nor overflow leads the given test astray, nor the search for pairs."""
+    planted_mesh, tree = planted(mesh)
+    rays, _, _ = family(name, mesh)
+    found = answers(planted_mesh, rays, tree)
+    judgement = judge(found, trace(planted_mesh, rays, tree).t)
+    assert not (judgement.missed_closer | judgement.no_surface).any()
+    pairs = all_pairs(len(planted_mesh.faces), len(rays.t_min))
+    everything = nearest(classified(planted_mesh, rays, pairs), len(rays.t_min))
+    assert (everything.limit == found.limit).all()
+    assert everything.face.tolist() == found.face.tolist()
+
+
+def test_some_axes_are_followed_from_far_away() -> None:
+    """From a thousand radii an epsilon in place of a zero leads astray."""
+    mesh, _ = planted("terrain-600")
+    rays, hit, _ = family("along-axes")
+    middle = mesh.vertices.mean(axis=0)
+    far = np.linalg.norm(rays.origin - middle, axis=1) > 100 * np.abs(mesh.vertices).max()
+    assert far.mean() > 0.1
+    assert hit[far].any()
 
 
 @pytest.mark.parametrize("name", ["along-axes", "in-slab-planes"])
