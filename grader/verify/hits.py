@@ -9,9 +9,9 @@ from grader.model.cases import HitCase, RepeatCase
 from grader.model.mesh import SOLID, Answers, Hits, Mask, Rays
 from grader.model.trials import TraceTrial
 from grader.model.verdict import Evidence, Example
-from grader.tolerances import UNIT_LENGTH
+from grader.tolerances import EPSILON, UNIT_LENGTH
 from grader.verify.check import MAX_EXAMPLES, check, judged, vector
-from grader.verify.closest import Judgement, judge, owners
+from grader.verify.closest import Judgement, is_ambiguous, judge, owners
 from grader.verify.shading import normal_errors, point_errors
 
 USES_THE_TREE = ("work.uses-the-tree",)
@@ -20,6 +20,11 @@ USES_THE_TREE = ("work.uses-the-tree",)
 def expects_hits(trial: TraceTrial) -> bool:
     """Tell whether ordinary rays of a trial surely hit something."""
     return not trial.special and bool(np.isfinite(trial.answers.limit).any())
+
+
+def expects_records(trial: TraceTrial) -> bool:
+    """Tell whether rays of a trial surely hit something, ordinary or not."""
+    return bool((np.isfinite(trial.answers.limit) & ~is_ambiguous(trial.answers)).any())
 
 
 def expects_misses(trial: TraceTrial) -> bool:
@@ -68,17 +73,19 @@ def special_rays(case: HitCase) -> Evidence:
     return _judged(case, np.ones(case.hits.t.size, dtype=np.bool_))
 
 
-@check(HitCase, "hits.record-is-complete", needs=USES_THE_TREE, when=expects_hits)
+@check(HitCase, "hits.record-is-complete", needs=USES_THE_TREE, when=expects_records)
 def record_is_complete(case: HitCase) -> Evidence:
     """A hit comes with its point and with the unit normal of the face that was hit.
 
-    Looked at are hits whose t is right. Where several faces lie within the tolerance of t, the
-    normal of any of them is.
+    Looked at are hits whose t is right, of special rays only those without a doubtful face.
+    Where several faces lie within the tolerance of t, the normal of any of them is.
     Source: exercise interface, "`normal` is n normalised, not turned towards the ray".
     """
     answers = case.trial.answers
     judgement = judge(answers, case.hits.t)
     ray = np.flatnonzero((judgement.accepted >= 0) & ~judgement.missed_closer)
+    if case.trial.special:
+        ray = ray[~is_ambiguous(answers)[ray]]
     off, allowed = point_errors(case, judgement.accepted)
     turned = _normals_are_wrong(case, judgement)
     # Written as what is right, so that a NaN is wrong.
@@ -182,7 +189,7 @@ def _named(trial: TraceTrial, ray: int) -> str:
     family = trial.families[trial.family[ray]]
     text = f"ray {ray} ({family}) from {vector(rays.origin[ray])}"
     text += f" along {vector(rays.direction[ray])}"
-    if family in ("t-interval", "far-start"):
+    if rays.t_min[ray] != np.float32(EPSILON) or rays.t_max[ray] != np.inf:
         text += f" with t in ({rays.t_min[ray]:.9g}, {rays.t_max[ray]:.9g})"
     return text
 

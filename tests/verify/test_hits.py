@@ -160,6 +160,17 @@ def test_a_wrong_point_fails(offset: float) -> None:
     assert failing(moved) == {"hits.record-is-complete"}
 
 
+@pytest.mark.parametrize("family", ["t-interval", "any-length", "along-axes"])
+def test_special_hits_need_point_and_normal_too(family: str) -> None:
+    """A ray with a limit, say a shadow ray, is answered as completely as any other."""
+    case = a_case(special=True)
+    where = case.trial.family == case.trial.families.index(family)
+    for field in ("point", "normal"):
+        array = getattr(case.hits, field).copy()
+        array[where] = 0
+        assert failing(spoiled(case, **{field: array})) == {"hits.record-is-complete"}
+
+
 def test_points_of_misses_do_not_matter() -> None:
     """Nobody says what a miss's point and normal are."""
     case = a_case()
