@@ -19,7 +19,7 @@ from grader.score.points import final_score, score_checks, score_parts
 from grader.selection import Selection
 from grader.tolerances import FACES_PER_LEAF
 from grader.verify.engine import Examiner
-from grader.verify.planned import planned_cases
+from grader.verify.planned import kinds_of, planned_cases
 from grader.verify.tree import shape
 
 Progress = Callable[[str, int, int], None]
@@ -69,8 +69,20 @@ class Summary:
     def examine(self, cases: Iterable[Case]) -> None:
         """Decide the checks on cases as they come in; none of them is kept."""
         for case in cases:
+            if isinstance(case, SurvivalCase | MemoryCase) and case.ending.crowded:
+                self._crowded(case.trial)
+                continue
             self._note(case)
             self._findings += self._examiner.examine([case])
+
+    def _crowded(self, trial: Trial) -> None:
+        """Conclude nothing from a worker that had to wait for others than itself."""
+        reason = "the machine was busy with other things, so the time says nothing; grade again"
+        self._findings += [
+            Finding(each.id, trial.name, Verdict.BROKEN, Evidence(0, 0), reason)
+            for each in self._selection.checks
+            if each.kind in kinds_of(trial) and each.when(trial)
+        ]
 
     def broken(self, faults: Iterable[tuple[str, str]]) -> None:
         """Take note of our own faults: the name of a trial and what went wrong there."""

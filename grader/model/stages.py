@@ -60,6 +60,12 @@ class CallGraph:
     lines: tuple[tuple[str, int], ...]
     """Mangled name and 1-based line in `src/exercise03.cpp` of each function defined there."""
 
+    taken: tuple[Call, ...] = ()
+    """Who takes the address of which function or table, and what stands in each table."""
+
+    selves: tuple[str, ...] = ()
+    """Functions that fill a `std::function` with a lambda that holds this very object."""
+
 
 @dataclass(frozen=True, slots=True)
 class Build:
@@ -118,3 +124,6 @@ class Ending:
 
     line: int = 0
     """Line of the student's file that the finding names; 0 if none."""
+
+    crowded: bool = False
+    """True if the clock ended it while others kept the machine busy: our fault."""

@@ -5,12 +5,13 @@ import threading
 import time
 from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from grader.model.cases import Case, MemoryCase, SurvivalCase
 from grader.model.grade import Limits
 from grader.model.stages import Ending, Stop
 from grader.model.trials import ConstructTrial, RebuildTrial, TraceTrial, Trial
+from grader.run.load import MachineLoad
 from grader.run.requests import request
 from grader.run.session import Allowance, Engine, run_job
 
@@ -67,6 +68,7 @@ class Budget:
             seconds: Wall time of all of them together.
         """
         self._limits = limits
+        self._load = MachineLoad()
         self._deadline = time.monotonic() + seconds
         self._timeouts = {"a": 0, "b": 0}
         self._lock = threading.Lock()
@@ -85,11 +87,24 @@ class Budget:
         wall = min(allowed * self._limits.wall_factor, left)
         return Allowance(allowed, wall) if left > 0 else None
 
-    def note(self, trial: Trial, ending: Ending) -> None:
-        """Remember how a trial ended."""
-        if ending.stop is Stop.TIMED_OUT:
-            with self._lock:
-                self._timeouts[part_of(trial)] += 1
+    def blamed(self, trial: Trial, ending: Ending, allowed: Allowance | None) -> Ending:
+        """Remember how a trial ended, and tell whether a time-out is the submission's.
+
+        Args:
+            trial: What was to be done.
+            ending: How that ended.
+            allowed: What it was given; None if it was not even begun.
+        """
+        if ending.stop is not Stop.TIMED_OUT:
+            return ending
+        with self._lock:
+            hopeless = self._timeouts[part_of(trial)] >= PATIENCE
+        computed = allowed is not None and ending.cpu_seconds >= allowed.cpu_seconds
+        if not computed and not hopeless and self._load.crowded():
+            return replace(ending, crowded=True)
+        with self._lock:
+            self._timeouts[part_of(trial)] += allowed is not None
+        return ending
 
 
 def run_trials(
@@ -118,14 +133,14 @@ def _run(trial: Trial, engines: Engines, budget: Budget) -> tuple[Case, ...]:
     allowed = budget.allowance(trial)
     if allowed is None:
         detail = "not run: the time for the whole submission was used up"
-        return _ended(trial, Ending(Stop.TIMED_OUT, detail, 0.0, 0.0, ""))
+        late = Ending(Stop.TIMED_OUT, detail, 0.0, 0.0, "")
+        return _ended(trial, budget.blamed(trial, late, None))
     asked = request(trial)
     results = []
     for job in asked.jobs:
         ending, result = run_job(job, engine, allowed)
         if result is None:
-            budget.note(trial, ending)
-            return _ended(trial, ending)
+            return _ended(trial, budget.blamed(trial, ending, allowed))
         results.append(result)
     return (*_ended(trial, ending), *asked.read(results, ending))
 
