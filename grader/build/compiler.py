@@ -61,22 +61,33 @@ def _identify(path: str) -> Compiler:
 
 
 def sanitizer_runtime(compiler: Compiler) -> str:
-    """Path of the shared AddressSanitizer, which must be loaded before Python itself.
+    """The libraries that must be loaded before Python itself, as LD_PRELOAD takes them.
+
+    AddressSanitizer first, and then the C++ library: what the sanitizer has to intercept of it,
+    such as the throwing of an exception, it looks for when it starts.
 
     Raises:
-        MissingTool: The compiler has none.
+        MissingTool: The compiler has no shared AddressSanitizer.
     """
     major = compiler.version.split(".")[0]
     gnu = compiler.name == "g++"
     name = "libasan.so" if gnu else f"libclang_rt.asan-{platform.machine()}.so"
-    outcome = launch(Order([compiler.path, f"-print-file-name={name}"], seconds=20.0))
-    path = Path(outcome.out.decode(errors="replace").strip())
-    # A compiler that does not find the file answers with its bare name.
-    if outcome.code != 0 or not path.is_absolute() or not path.exists():
+    path = _library(compiler, name)
+    if path is None:
         package = f"libgcc-{major}-dev" if gnu else f"libclang-rt-{major}-dev"
         message = (
             f"{compiler.title} has no shared AddressSanitizer ({name}); install the Debian "
             f"package {package}, or set CXX to another compiler"
         )
         raise MissingTool(message)
-    return str(path.resolve())
+    standard = _library(compiler, "libstdc++.so.6")
+    return " ".join(str(library) for library in (path, standard) if library)
+
+
+def _library(compiler: Compiler, name: str) -> Path | None:
+    """Find a library of a compiler; None if it has none of that name."""
+    outcome = launch(Order([compiler.path, f"-print-file-name={name}"], seconds=20.0))
+    path = Path(outcome.out.decode(errors="replace").strip())
+    # A compiler that does not find the file answers with its bare name.
+    found = outcome.code == 0 and path.is_absolute() and path.exists()
+    return path.resolve() if found else None

@@ -19,6 +19,9 @@ _MESSAGE = re.compile(
 _REQUIRED = re.compile(
     rf"^{re.escape(SOURCE_NAME)}:(\d{{1,7}}):(\d{{1,6}}):   required from here$"
 )
+_NO_PLACE = re.compile(r"^(?:cc1plus|clang[-+.\w]{0,20}): (?:fatal )?error: (?P<text>.*)$")
+"""What the compiler itself cannot do, such as reading a file that is out of reach."""
+
 _LINKER = re.compile(r"(?P<text>(multiple definition of|undefined reference to) [^;]*)")
 
 
@@ -53,6 +56,9 @@ def _read_line(line: str, required: tuple[int, int]) -> Diagnostic | None:
             severity="error" if "error" in match["severity"] else match["severity"],
             text=(where + match["text"])[:MAX_TEXT],
         )
+    match = _NO_PLACE.match(line)
+    if match:
+        return Diagnostic(*required, "error", match["text"][:MAX_TEXT])
     match = _LINKER.search(line)
     if match:
         return Diagnostic(0, 0, "error", f"link: {match['text']}"[:MAX_TEXT])

@@ -22,6 +22,8 @@ COMPUTING = [
     "dup",
     "dup2",
     "dup3",
+    "pipe",
+    "pipe2",
     "poll",
     "ppoll",
     "select",

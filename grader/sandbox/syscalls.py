@@ -173,6 +173,8 @@ NUMBERS = {
     "pidfd_getfd": (438, 438),
     "pidfd_open": (434, 434),
     "pidfd_send_signal": (424, 424),
+    "pipe": (22, -1),
+    "pipe2": (293, 59),
     "pivot_root": (155, 41),
     "poll": (7, -1),
     "ppoll": (271, 73),
