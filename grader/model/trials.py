@@ -63,7 +63,7 @@ class TraceTrial(FrozenArrays):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class AlteredTrial(FrozenArrays):
-    """Call `intersect` on a tree with emptied leaves or shrunk inner boxes."""
+    """Call `intersect` on a tree with replaced leaves or shrunk inner boxes."""
 
     name: str
     mesh: Mesh
@@ -78,7 +78,7 @@ class AlteredTrial(FrozenArrays):
     """(R,) bool, True where a true traversal cannot find the hit of `answers` any more."""
 
     change: str
-    """What was altered, for the student: `9 of 64 leaves emptied`."""
+    """What was altered, for the student: `9 of 64 leaves hold the faces of others`."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,8 +4,8 @@ Theory of operation. A tree is spoiled on purpose, in one of two ways that every
 must notice, and rays are kept whose true hit can then not be found, and others, as a control,
 whose hit can.
 
-- Some leaves are emptied: range [k, k) with k > 0, since an end of 0 would make their parents
-  leaves.
+- Some leaves get the range of another leaf instead of their own, so that their faces are in no
+  leaf. They are not just emptied, since no right tree has an empty leaf below the root.
 - Some inner boxes are shrunk to almost nothing, together with those of their inner children:
   a traversal may skip the test of the root's box, of a leaf's own box, and of every other
   level if it looks two levels ahead. Rays that come near a shrunk box are left out.
@@ -32,7 +32,7 @@ from grader.oracle.hierarchy import leaves_of
 from grader.oracle.meshes import generator
 
 SHARE = 0.25
-"""Of the leaves are emptied."""
+"""Of the leaves get the faces of others."""
 
 SHRUNK = 4
 """Inner nodes whose boxes are shrunk."""
@@ -59,20 +59,21 @@ class Alteration(FrozenArrays):
     """(B, 2, 3) float64, low and high corners of boxes that rays must keep clear of."""
 
     change: str
-    """What was altered, in a half sentence: `9 of 64 leaves are empty`."""
+    """What was altered, in a half sentence: `9 of 64 leaves hold the faces of others`."""
 
 
 def altered_trials(seed: int, name: str, mesh: Mesh, tree: Bvh) -> list[AlteredTrial]:
-    """Spoil a tree in both ways.
+    """Spoil a tree in both ways, one of few levels in the first way only.
 
     Args:
         seed: Of the run.
         name: The mesh's.
-        mesh: The triangles, some hundreds at least.
+        mesh: The triangles, some ten at least.
         tree: A right tree over them.
     """
     made = []
-    for how, alter in (("emptied leaves", _emptied), ("shrunk boxes", _shrunk)):
+    ways = [("replaced leaves", _replaced), ("shrunk boxes", _shrunk)]
+    for how, alter in ways if 1 << _shrunk_level(tree) >= SHRUNK else ways[:1]:
         rng = generator(seed, name, how)
         alteration = alter(tree, len(mesh.faces), rng)
         stage = stage_for(mesh, rng, lambda rays: candidates(mesh, rays, tree))
@@ -80,23 +81,22 @@ def altered_trials(seed: int, name: str, mesh: Mesh, tree: Bvh) -> list[AlteredT
     return made
 
 
-def _emptied(tree: Bvh, faces: int, rng: np.random.Generator) -> Alteration:
-    """Empty some leaves."""
-    leaves = np.flatnonzero(leaves_of(tree) & (tree.end > tree.begin))
-    chosen_leaves = rng.choice(leaves, max(1, round(SHARE * leaves.size)), replace=False)
-    gone = _faces_below(tree, chosen_leaves, faces)
-    begin = tree.begin.copy()
-    begin[chosen_leaves] = tree.end[chosen_leaves]
-    spoiled = Bvh(tree.low, tree.high, begin, tree.end, tree.order, tree.node_count)
-    change = f"{chosen_leaves.size} of {leaves.size} leaves are empty"
+def _replaced(tree: Bvh, faces: int, rng: np.random.Generator) -> Alteration:
+    """Give some leaves the faces of others."""
+    leaves = rng.permutation(np.flatnonzero(leaves_of(tree) & (tree.end > tree.begin)))
+    count = max(1, round(SHARE * leaves.size))
+    replaced, lenders = leaves[:count], leaves[count : 2 * count]
+    gone = _faces_below(tree, replaced, faces)
+    begin, end = tree.begin.copy(), tree.end.copy()
+    begin[replaced], end[replaced] = tree.begin[lenders], tree.end[lenders]
+    spoiled = Bvh(tree.low, tree.high, begin, end, tree.order, tree.node_count)
+    change = f"{count} of {leaves.size} leaves hold the faces of others"
     return Alteration(spoiled, gone, np.zeros((0, 2, 3)), change)
 
 
 def _shrunk(tree: Bvh, faces: int, rng: np.random.Generator) -> Alteration:
     """Shrink the boxes of some inner nodes and of their children."""
-    highest = int(np.flatnonzero(leaves_of(tree) & (tree.end > tree.begin))[0])
-    level = (highest + 1).bit_length() - 1 - ABOVE_LEAVES
-    first = (1 << level) - 1
+    first = (1 << _shrunk_level(tree)) - 1
     nodes = first + rng.choice(first + 1, SHRUNK, replace=False)
     low, high = tree.low.copy(), tree.high.copy()
     near = np.stack([low[nodes], low[nodes] + (high[nodes] - low[nodes]) * 0.1], axis=1)
@@ -110,6 +110,12 @@ def _shrunk(tree: Bvh, faces: int, rng: np.random.Generator) -> Alteration:
     near[:, 0] -= reach[:, None]
     near[:, 1] += reach[:, None]
     return Alteration(spoiled, _faces_below(tree, nodes, faces), near, change)
+
+
+def _shrunk_level(tree: Bvh) -> int:
+    """Return the level of the boxes that are shrunk; 0 if there are too few levels."""
+    highest = int(np.flatnonzero(leaves_of(tree) & (tree.end > tree.begin))[0])
+    return max(0, (highest + 1).bit_length() - 1 - ABOVE_LEAVES)
 
 
 def _faces_below(tree: Bvh, nodes: Integers, faces: int) -> Mask:

@@ -17,8 +17,8 @@ from tests.oracle.treebuilder import planted
 
 
 def trials(seed: int = 3) -> Iterator[AlteredTrial]:
-    """Spoil two trees in both ways."""
-    for name in ("terrain-1200", "dragon-res4"):
+    """Spoil two trees in both ways, and a small one in one."""
+    for name in ("terrain-1200", "dragon-res4", "cloud-37"):
         mesh, tree = planted(name)
         yield from altered_trials(seed, name, mesh, tree)
 
@@ -71,17 +71,31 @@ def test_there_is_enough_to_lose_and_to_keep() -> None:
 
 
 def test_the_altered_tree_keeps_its_shape() -> None:
-    """No end becomes 0, no box is turned inside out, and leaves stay leaves."""
+    """No end becomes 0, no leaf empty, no box is turned inside out, and leaves stay leaves."""
     for trial in trials():
         name = trial.name.partition(" ")[0]
         tree, original = trial.tree, planted(name)[1]
         used = original.end > 0
-        assert (tree.end == original.end).all()
-        assert (tree.begin[used] <= tree.end[used]).all()
+        assert ((tree.end > 0) == used).all()
+        assert (tree.begin[used] < tree.end[used]).all()
         assert (tree.low[used] <= tree.high[used]).all()
         assert (leaves_of(tree) == leaves_of(original)).all()
         assert (tree.low[0] == original.low[0]).all()
         assert (tree.high[0] == original.high[0]).all()
+
+
+def test_replaced_leaves_hold_the_faces_of_leaves_that_are_left() -> None:
+    """Some faces are in no leaf, and of the others none is in a wrong box only."""
+    mesh, tree = planted("terrain-1200")
+    (spoiled, _) = altered_trials(4, "terrain-1200", mesh, tree)
+    leaves = np.flatnonzero(leaves_of(tree) & (tree.end > 0))
+    own = spoiled.tree.begin[leaves] == tree.begin[leaves]
+    assert 0.2 < np.mean(~own) < 0.3
+    assert (spoiled.tree.end[leaves[own]] == tree.end[leaves[own]]).all()
+    assert set(spoiled.tree.begin[leaves]) == set(tree.begin[leaves[own]])
+    inner = np.flatnonzero(~leaves_of(tree))
+    assert (spoiled.tree.begin[inner] == tree.begin[inner]).all()
+    assert (spoiled.tree.end[inner] == tree.end[inner]).all()
 
 
 def test_a_plain_traversal_is_counted_by_hand() -> None:
