@@ -51,7 +51,9 @@ REBUILT = (
 )
 """Meshes A and B: B smaller, B larger, B empty, and two that differ in no size."""
 
-ALTERED = ("terrain-1200", "dragon-res4")
+ALTERED = ("terrain-1200", "dragon-res4", "cloud-37")
+"""Meshes of altered trees: on a small one too nobody may do without the tree."""
+
 REPEATED_RAYS = 5_000
 """So many that threads really run at the same time: several milliseconds."""
 
