@@ -3,13 +3,16 @@
 The assembly text of a build without optimisation holds every call: nothing is inlined yet, and
 overloads, templates and lambdas are already resolved to mangled names. A call through a pointer
 is a call of `ANYTHING`, which in turn calls every function whose address is taken or stands in
-a table. The text is the compiler's, but the names in it are the student's; they are compared
-and never used for anything else.
+a table; who takes it is listed too. A constructor or destructor with two names calls itself by
+the other one. The text is the compiler's, but the names in it are the student's; they are
+compared and never used for anything else.
 """
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
 
+from grader.build.captures import Frame
 from grader.build.diagnostics import SOURCE_NAME
 from grader.model.stages import Call, CallGraph
 
@@ -19,7 +22,11 @@ ANYTHING = b"*"
 MAX_CALLS = 200_000
 """A textbook solution has about 1,000; more than this is cut."""
 
-_FUNCTION = re.compile(rb'^\s*\.type\s+"?([\w.$\x80-\xff]{1,4096})"?,\s*[@%]function')
+_KINDS = (b"function", b"object")
+_SYMBOL = re.compile(rb'^\s*\.type\s+"?([\w.$\x80-\xff]{1,4096})"?,\s*[@%](function|object)')
+_ALIAS = re.compile(
+    rb'^\s*\.(?:set|equ)\s+"?([\w.$\x80-\xff]{1,4096})"?,\s*"?([\w.$\x80-\xff]{1,4096})"?\s*$'
+)
 _LABEL = re.compile(rb'^"?([\w.$\x80-\xff]{1,4096})"?:')
 _NAME = re.compile(rb"[A-Za-z_\x80-\xff][\w.$\x80-\xff]{1,4096}")
 _CALL = re.compile(rb"^(call|jmp|bl?$|b[lr]+$)")
@@ -29,55 +36,94 @@ _FILE = re.compile(rb'^\s*\.file\s+(\d+)\s+(?:"[^"\n]*"\s+)?"([^"\n]*)"')
 _LINE = re.compile(rb"^\s*\.loc\s+(\d+)\s+(\d{1,7})\b")
 
 
+@dataclass(slots=True)
+class _Read:
+    """What is known of the text so far; dictionaries keep an order that sets do not have."""
+
+    functions: set[bytes]
+    objects: set[bytes]
+    calls: dict[tuple[bytes, bytes], None] = field(default_factory=dict)
+    taken: dict[tuple[bytes, bytes], None] = field(default_factory=dict)
+    lines: dict[bytes, int] = field(default_factory=dict)
+    selves: dict[bytes, None] = field(default_factory=dict)
+
+    @property
+    def is_full(self) -> bool:
+        """Whether no more is listed."""
+        return len(self.calls) + len(self.taken) >= MAX_CALLS
+
+
 def read_assembly(text: bytes) -> CallGraph:
     """List the calls, and the line of the student's file at which each function begins."""
     rows = text.split(b"\n")
-    functions = {match[1] for row in rows if (match := _FUNCTION.match(row))}
     own = {match[1] for row in rows if (match := _FILE.match(row)) and _is_own(match[2])}
-    calls: dict[tuple[bytes, bytes], None] = {}
-    lines: dict[bytes, int] = {}
-    for caller, row in _placed(rows, functions):
-        if (place := _LINE.match(row)) and caller and place[1] in own:
-            lines.setdefault(caller, int(place[2]))
-        elif len(calls) < MAX_CALLS:
-            calls |= dict.fromkeys(_called(caller, row, functions))
+    symbols = [match.groups() for row in rows if (match := _SYMBOL.match(row))]
+    read = _Read(*({name for name, is_a in symbols if is_a == kind} for kind in _KINDS))
+    place, frame = b"", Frame()
+    for owner, row in _placed(rows, read):
+        if owner != place:
+            place, frame = owner, Frame()
+        if (line := _LINE.match(row)) and owner and line[1] in own:
+            read.lines.setdefault(owner, int(line[2]))
+        elif not read.is_full:
+            _note(read, owner, row)
+            read.selves |= dict.fromkeys(filter(None, [frame.read(row)]))
     return CallGraph(
-        calls=tuple(Call(_text(a), _text(b)) for a, b in calls),
-        lines=tuple((_text(name), line) for name, line in lines.items()),
+        calls=_pairs(read.calls),
+        lines=tuple((_text(name), line) for name, line in read.lines.items()),
+        taken=_pairs(read.taken),
+        selves=tuple(map(_text, read.selves)),
     )
 
 
-def _placed(rows: list[bytes], functions: set[bytes]) -> Iterator[tuple[bytes, bytes]]:
-    """Each row with the function it lies in; nothing for data."""
-    caller = b""
+def _pairs(pairs: Iterable[tuple[bytes, bytes]]) -> tuple[Call, ...]:
+    return tuple(Call(_text(a), _text(b)) for a, b in pairs)
+
+
+def _placed(rows: list[bytes], read: _Read) -> Iterator[tuple[bytes, bytes]]:
+    """Each row with the function or table it lies in; nothing if its name is not known."""
+    owner = b""
     for row in rows:
         if label := _LABEL.match(row):
-            caller = label[1] if label[1] in functions else caller
+            known = label[1] in read.functions or label[1] in read.objects
+            owner = label[1] if known else owner if owner in read.functions else b""
         elif row.lstrip().startswith(b".size"):
-            caller = b""
+            owner = b""
         else:
-            yield caller, row
+            yield owner, row
 
 
 def _is_own(name: bytes) -> bool:
     return name.decode(errors="replace").endswith(SOURCE_NAME)
 
 
-def _called(caller: bytes, row: bytes, functions: set[bytes]) -> list[tuple[bytes, bytes]]:
-    """Calls in one row: of functions of this file, and of any C++ one elsewhere."""
+def _note(read: _Read, owner: bytes, row: bytes) -> None:
+    """Take down the calls in one row and the functions and tables whose address is in it."""
     row = row.strip()
-    if not caller or row.startswith(b"."):
-        entry = _TABLE.match(row)
-        return [(ANYTHING, entry[1])] if entry and entry[1] in functions else []
-    if _POINTER_CALL.match(row):
-        return [(caller, ANYTHING)]
-    words = row.split(None, 1)
-    names = _NAME.findall(words[1]) if len(words) > 1 else []
-    known = [name for name in names if name in functions or name.startswith(b"_Z")]
-    direct = [(caller, name) for name in known]
-    if words and _CALL.match(words[0]):
-        return direct
-    return direct + [(ANYTHING, name) for name in known if name in functions]
+    if row.startswith(b"."):
+        _note_data(read, owner, row)
+    elif owner in read.functions:
+        if _POINTER_CALL.match(row):
+            read.calls[owner, ANYTHING] = None
+            return
+        verb, *words = row.split(None, 1) or [b""]
+        names = _NAME.findall(words[0]) if words else []
+        known = [name for name in names if name in read.functions or name.startswith(b"_Z")]
+        read.calls |= dict.fromkeys((owner, name) for name in known)
+        if not _CALL.match(verb):
+            functions = [name for name in known if name in read.functions]
+            read.calls |= dict.fromkeys((ANYTHING, name) for name in functions)
+            tables = [name for name in names if name in read.objects]
+            read.taken |= dict.fromkeys((owner, name) for name in functions + tables)
+
+
+def _note_data(read: _Read, owner: bytes, row: bytes) -> None:
+    """Take down an entry of a table, and a second name of a function."""
+    if (alias := _ALIAS.match(row)) and alias[2] in read.functions:
+        read.calls[alias[1], alias[2]] = None
+    if (entry := _TABLE.match(row)) and entry[1] in read.functions:
+        read.calls[ANYTHING, entry[1]] = None
+        read.taken[owner or ANYTHING, entry[1]] = None
 
 
 def _text(name: bytes) -> str:

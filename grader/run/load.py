@@ -1,6 +1,6 @@
 """Was the machine busy with something else while a submission ran?
 
-A submission that is stopped by the clock, and not by its own CPU time, was either waiting of its
+A submission that the clock stopped, and not its own CPU time, was either waiting of its
 own accord or kept waiting by others. Only the first is its fault. What others use cannot be
 forged from inside a box: it is what the machine did, less what the grader and its children did.
 """

@@ -17,6 +17,8 @@ OWN = "src/exercise03.cpp"
         (f"{OWN}:12:5: note: see", Diagnostic(12, 5, "note", "see")),
         (f"{OWN}:12: error: no column", Diagnostic(12, 0, "error", "no column")),
         ("/a/b/include/aabb.h:7:3: error: no", Diagnostic(0, 0, "error", "aabb.h:7: no")),
+        ("cc1plus: fatal error: x: no", Diagnostic(0, 0, "error", "x: no")),
+        ("clang++-14: error: no", Diagnostic(0, 0, "error", "no")),
         ("<command-line>:1:1: error: x", Diagnostic(0, 0, "error", "<command-line>:1: x")),
         (
             "other/exercise03.cpp:3:1: error: x",
