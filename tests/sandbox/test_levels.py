@@ -4,6 +4,7 @@ import json
 import os
 import shutil
 import subprocess
+import sys
 import tempfile
 import textwrap
 from collections.abc import Generator
@@ -20,7 +21,7 @@ from grader.sandbox.box import Isolation, Level
 from grader.sandbox.bubblewrap import find_bubblewrap
 from grader.sandbox.selftest import VARIABLE, proved_isolation
 from grader.sandbox.slots import FIRST_UID, SLOTS, own_user
-from tests.sandbox.boxes import SYSTEM_PYTHON, as_compiler, as_worker
+from tests.sandbox.boxes import LEVELS, SYSTEM_PYTHON, as_worker
 
 PACKAGE = Path(module.__file__).parents[1]
 NOBODY = 65534
@@ -249,14 +250,33 @@ def test_nobody_is_root_inside_and_nobody_is_two(isolation: Isolation) -> None:
         assert all(len(set(row)) == 1 for row in rows)
 
 
-def test_no_group_of_ours_comes_along(isolation: Isolation, open_folder: Path) -> None:
-    """Files of the group root or docker stay closed."""
-    outcome = as_compiler(isolation, open_folder / "own", ["/usr/bin/id", "-G"])
-    groups = outcome.out.decode().split()
+GROUPS = """
+import sys
+from pathlib import Path
+from grader.sandbox.selftest import proved_isolation
+from tests.sandbox.boxes import as_compiler
+isolation, own = proved_isolation(sys.argv[1]), Path(sys.argv[2])
+print(as_compiler(isolation, own, ["/usr/bin/id", "-G"]).out.decode())
+"""
+
+
+@pytest.mark.parametrize("level", LEVELS)
+@pytest.mark.usefixtures("cache")
+def test_no_group_of_ours_comes_along(level: str, open_folder: Path) -> None:
+    """Files of the group root or docker stay closed; a user of his own keeps what is his."""
+    said = subprocess.run(
+        [sys.executable, "-c", GROUPS, level, str(open_folder / "own")],
+        env={**os.environ, "PYTHONPATH": str(PACKAGE.parent)},
+        extra_groups=[1, 27, 4000] if is_root() else None,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    groups = set(map(int, said.stdout.split()))
     assert groups
     if is_root():
-        # What a namespace does not know is shown as nobody's group.
-        assert all(each == str(NOBODY) or int(each) >= FIRST_UID for each in groups)
+        assert {group for group in groups if group < FIRST_UID} == set()
+        assert len(groups) == 1
 
 
 @pytest.mark.parametrize("fault", [None, RuntimeError])
