@@ -46,8 +46,9 @@ def _everywhere(
     library: ctypes.CDLL, grader: int, secrets: list[str], own: list[str]
 ) -> list[Attempt]:
     """What neither a worker nor a compiler may do."""
-    folders = ["/", "/tmp", "/var/tmp", "/dev/shm", "/usr/lib", os.getcwd()]  # noqa: PTH109, S108
-    folders += [os.path.dirname(path) for path in secrets]  # noqa: PTH120
+    open_to_all = ("/", "/tmp", "/var/tmp", "/dev/shm", "/usr/lib")  # noqa: S108 - just these
+    here = os.getcwd()  # noqa: PTH109 - pathlib costs 8 ms
+    folders = [*open_to_all, here, *map(os.path.dirname, secrets)]
     found: list[Attempt] = [(f"reads {path}", partial(_read, path)) for path in secrets]
     found += [
         (f"writes to {folder}", partial(_write, folder))
@@ -78,7 +79,7 @@ def _worker(secrets: list[str]) -> list[Attempt]:
     """What a compiler may, but a worker may not."""
     return [
         ("starts a process", _fork),
-        ("lists a folder", lambda: os.listdir(os.path.dirname(secrets[0]))),  # noqa: PTH120, PTH208
+        ("lists a folder", partial(os.listdir, os.path.dirname(secrets[0]))),  # noqa: PTH120 - as above
         ("makes a file in memory", lambda: os.memfd_create("probe")),
     ]
 
