@@ -57,8 +57,9 @@ def read_assembly(text: bytes) -> CallGraph:
     """List the calls, and the line of the student's file at which each function begins."""
     rows = text.split(b"\n")
     own = {match[1] for row in rows if (match := _FILE.match(row)) and _is_own(match[2])}
-    symbols = [match.groups() for row in rows if (match := _SYMBOL.match(row))]
-    read = _Read(*({name for name, is_a in symbols if is_a == kind} for kind in _KINDS))
+    symbols = [match for row in rows if (match := _SYMBOL.match(row))]
+    functions, objects = ({each[1] for each in symbols if each[2] == kind} for kind in _KINDS)
+    read = _Read(functions, objects)
     place, frame = b"", Frame()
     for owner, row in _placed(rows, read):
         if owner != place:

@@ -72,6 +72,28 @@ def test_functions_have_their_first_own_line(text: str) -> None:
     assert read_assembly(text.encode()).lines == (("_ZL4growi", 7),)
 
 
+@pytest.mark.parametrize("directive", [".set", ".equ"])
+def test_a_constructor_of_two_names_is_one_function(directive: str) -> None:
+    """Callers name the one, the body has the other; other equal numbers are no functions."""
+    text = (
+        "\t.type\t_ZN1SC2Ei, @function\n_ZN1SC2Ei:\n\tcall\t_ZN1SC1Ei\n\t.size\t_ZN1SC2Ei, 9\n"
+        f"\t{directive}\t_ZN1SC1Ei,_ZN1SC2Ei\n\t{directive}\t_ZN1SC1Ev, 7\n"
+    )
+    assert calls(text) == {("_ZN1SC2Ei", "_ZN1SC1Ei"), ("_ZN1SC1Ei", "_ZN1SC2Ei")}
+
+
+def test_who_takes_an_address_is_listed() -> None:
+    """By a table of its name, by one without a name, by code; a call takes nothing."""
+    functions = "".join(f"\t.type\t_Z{k}v, @function\n" for k in range(4))
+    text = (
+        f"{functions}_Z0v:\n\tleaq\t16+_ZTV1S(%rip), %rdx\n\tleaq\t_Z1v(%rip), %rax\n"
+        "\tcall\t_Z2v\n\t.size\t_Z0v, 9\n\t.type\t_ZTV1S, @object\n\t.size\t_ZTV1S, 16\n"
+        "_ZTV1S:\n\t.quad\t0\n\t.quad\t_Z2v\n.LC3:\n\t.quad\t_Z3v\n"
+    )
+    taken = {(each.caller, each.callee) for each in read_assembly(text.encode()).taken}
+    assert taken == {("_Z0v", "_ZTV1S"), ("_Z0v", "_Z1v"), ("_ZTV1S", "_Z2v"), ("*", "_Z3v")}
+
+
 @pytest.mark.parametrize("quote", ["", '"'])
 def test_names_beyond_ascii_stay_apart(quote: str) -> None:
     """Two functions whose names differ only in an umlaut are two functions."""
