@@ -9,6 +9,8 @@ from grader.model.stages import Call, CallGraph
 from grader.model.verdict import Evidence
 from grader.verify.source import construct_loops
 
+Pairs = tuple[tuple[str, str], ...]
+
 CONSTRUCT = "_ZN3BVH9constructERK4Mesh"
 INTERSECT = "_Z9intersectRK4MeshRK15IntersectionRay"
 EXTEND = "_ZN4AABB6extendERK7Point3D"
@@ -147,11 +149,105 @@ def test_the_only_target_of_a_function_object_is_followed() -> None:
     assert construct_loops.decide(case_of(*calls)).wrong == 1
 
 
+OTHER = erased("vj", "L4sortv")[1]
+RECURSIVE = ((CONSTRUCT, CALL), (TARGET, LAMBDA), (LAMBDA, CALL), (LAMBDA, GROW))
+FILL = "_ZNSt8functionIFvjEEC1IZN3BVH9constructERK4MeshEUljE_vEEOT_"
+FILL_TOO = FILL.replace("C1", "C2")
+
+
+def taking_case(calls: Pairs, taken: Pairs = (), selves: tuple[str, ...] = ()) -> SourceCase:
+    """Make the case of a call graph in which addresses are taken."""
+    pairs = (tuple(Call(*call) for call in part) for part in (calls, taken))
+    calls_made, addresses = pairs
+    return SourceCase("source", CallGraph(calls_made, (), addresses, selves))
+
+
 def test_two_targets_of_one_signature_leave_a_doubt() -> None:
     """Which of two lambdas is meant cannot be told, so nobody is blamed for a guess."""
-    other = erased("vj", "L4sortv")[1]
-    calls = ((CONSTRUCT, CALL), (TARGET, LAMBDA), (LAMBDA, CALL), (LAMBDA, GROW), (other, SORT))
+    assert construct_loops.decide(taking_case((*RECURSIVE, (OTHER, SORT)))) == Evidence(1, 0)
+
+
+def test_what_only_intersect_fills_is_no_target_of_construct() -> None:
+    """A recursive lambda of part b with the same signature leaves no doubt in part a."""
+    calls = (*RECURSIVE, (OTHER, SORT), (INTERSECT, CALL), (INTERSECT, SPLIT), (SPLIT, SORT))
+    only_there = ((CONSTRUCT, TARGET), (SPLIT, OTHER))
+    assert construct_loops.decide(taking_case(calls, only_there)).wrong == 1
+    in_both = (*only_there, (CONSTRUCT, OTHER))
+    assert construct_loops.decide(taking_case(calls, in_both)).wrong == 0
+
+
+def test_recursion_of_part_b_alone_is_not_followed() -> None:
+    """A loop in construct calls its own object, a lambda of `intersect` calls itself."""
+    loop = ((CONSTRUCT, CALL), (OTHER, GROW), (INTERSECT, CALL), *RECURSIVE[1:])
+    taken = ((CONSTRUCT, OTHER), (INTERSECT, TARGET))
+    assert construct_loops.decide(taking_case(loop, taken)) == Evidence(1, 0)
+
+
+def test_two_targets_that_both_call_again_leave_no_doubt() -> None:
+    """Whichever is meant, one of them ends up in itself, unless one of them only sorts."""
+    again = (*RECURSIVE, (OTHER, SPLIT), (SPLIT, CALL), (SPLIT, GROW))
+    assert construct_loops.decide(taking_case(again)).wrong == 1
+    sorts = (*RECURSIVE, (OTHER, SORT), (SORT, CALL))
+    assert construct_loops.decide(taking_case(sorts)) == Evidence(1, 0)
+
+
+def test_an_object_that_holds_itself_is_its_own_target() -> None:
+    """The closure says which of two is meant: it holds the address of its own object."""
+    calls = (*RECURSIVE, (OTHER, SORT), (FILL, FILL_TOO))
+    taken = ((FILL_TOO, TARGET), ("_Z3twov", OTHER))
+    assert construct_loops.decide(taking_case(calls, taken, (FILL,))).wrong == 1
+    assert construct_loops.decide(taking_case(calls, taken)).wrong == 0
+
+
+def test_tasks_in_a_queue_are_a_loop() -> None:
+    """A lambda that fills objects with calls of itself does not call itself."""
+    calls = ((CONSTRUCT, CALL), (TARGET, LAMBDA), (LAMBDA, FILL), (FILL, FILL_TOO))
+    queue = (*calls, (FILL_TOO, TARGET), (LAMBDA, GROW))
+    assert construct_loops.decide(taking_case(queue, ((FILL_TOO, TARGET),))).wrong == 0
+
+
+END, END_TOO = (f"_ZZN3BVH9constructERK4MeshEN5GuardD{k}Ev" for k in (1, 2))
+COPY = "_ZN4TreeaSERKS_"
+
+
+@pytest.mark.parametrize("name", [END, END.replace("D1", "C1"), COPY])
+@pytest.mark.parametrize(("far", "wrong"), [(EXTEND, 1), ("_ZN3BVH4NodeC1Ev", 0)])
+def test_objects_that_own_each_other_may_end_recursively(
+    name: str, far: str, wrong: int
+) -> None:
+    """Copying and clearing a tree is no way to build it; extending boxes is."""
+    calls = ((CONSTRUCT, name), (name, END_TOO), (END_TOO, name), (END_TOO, far))
+    assert construct_loops.decide(case_of(*calls)).wrong == wrong
+
+
+@pytest.mark.parametrize("name", ["_ZL9mergeSortP4Node", SORT])
+@pytest.mark.parametrize("below", ["_ZN4AABBC1Ev", "_ZN4AABBaSERKS_", "_Z4leftPj"])
+def test_records_to_be_sorted_may_hold_boxes(name: str, below: str) -> None:
+    """A list of the student's own nodes is sorted recursively."""
+    calls = ((CONSTRUCT, name), (name, name), (name, below))
     assert construct_loops.decide(case_of(*calls)) == Evidence(1, 0)
+
+
+POINTED = (
+    ("*", SPLIT),
+    (SPLIT, "_Z3fewPFvjE"),
+    ("_Z3fewPFvjE", "*"),
+    (CONSTRUCT, "_Z3fewPFvjE"),
+)
+
+
+@pytest.mark.parametrize("other", [END, "_GLOBAL__sub_I_exercise03.cpp"])
+def test_the_only_target_of_pointers_is_followed(other: str) -> None:
+    """Destructors in a table, and what runs before `main`, are not what is called."""
+    assert construct_loops.decide(case_of(*POINTED, ("*", other))).wrong == 1
+
+
+def test_pointers_to_several_functions_leave_a_doubt() -> None:
+    """A helper that calls what it is given is shared by the loop and by what the loop calls."""
+    assert construct_loops.decide(case_of(*POINTED, ("*", EXTEND))) == Evidence(1, 0)
+    taken = ((INTERSECT, INTERSECT), (CONSTRUCT, SPLIT))
+    calls = (*POINTED, ("*", INTERSECT))
+    assert construct_loops.decide(taking_case(calls, taken)).wrong == 1
 
 
 @pytest.mark.parametrize("signature", ["vi", "vjj", "jj"])

@@ -1,0 +1,105 @@
+"""Which calls may happen while a tree is built, those through pointers included?
+
+A function object or a table that only `intersect` fills is not called by `construct`, however
+alike its signature is. Where that does not tell either, a call is followed only if every
+target that may be meant leads to the same verdict: a guess never costs anybody points.
+"""
+
+import re
+from collections import defaultdict
+from collections.abc import Iterable, Iterator
+
+from grader.model.stages import Call, CallGraph
+from grader.verify.mangled import STANDARD, is_lifetime, speaks_of_nodes
+from grader.verify.walks import Callees, names_of, reachable, reverse
+
+CONSTRUCT = "_ZN3BVH9constructERK4Mesh"
+INTERSECT = "_Z9intersectRK4MeshRK15IntersectionRay"
+ANYTHING = "*"
+
+OBJECT_CALL = re.compile(r"_ZNKSt8functionIF(?P<signature>.+)EEclE")
+OBJECT_TARGET = re.compile(r"_ZNSt17_Function_handlerIF(?P<rest>.+)E9_M_invoke")
+
+MAX_SIGNATURES = 64
+"""More kinds of function objects than this are not followed; a textbook solution has none."""
+
+
+def callees_of(graph: CallGraph) -> Callees:
+    """Who is called by whom while a tree is built, as far as it is certain."""
+    elsewhere = _only_of_intersect(graph)
+    callees: Callees = defaultdict(set)
+    for call in graph.calls:
+        # Filling a function object is not yet a call of what it holds.
+        if not _inside_the_library(call) and not _is_target(call.callee):
+            callees[call.caller].add(call.callee)
+    selves = {target for name in graph.selves for target in _filled(graph, name)}
+    pointed = set(filter(_is_pointed_at, callees.pop(ANYTHING, set())))
+    for called, targets in ((ANYTHING, pointed - elsewhere), *_objects(graph, elsewhere)):
+        if len(targets) == 1 or _all_recur(callees, called, targets):
+            callees[called] |= targets
+        callees[called] |= targets & selves
+    return dict(callees)
+
+
+def _inside_the_library(call: Call) -> bool:
+    """Tell whether a pointer is one of the standard library's own, as in `std::function`."""
+    pair = (call.caller, call.callee)
+    return ANYTHING in pair and any(STANDARD.match(name) for name in pair)
+
+
+def _is_target(name: str) -> bool:
+    return OBJECT_TARGET.match(name) is not None
+
+
+def _is_pointed_at(name: str) -> bool:
+    """Tell whether a pointer may be for this function, rather than for the end of an object."""
+    return not is_lifetime(name) and not name.startswith("_GLOBAL__")
+
+
+def _only_of_intersect(graph: CallGraph) -> set[str]:
+    """Functions whose address is taken only by `intersect` and what it alone calls."""
+    reaches: Callees = defaultdict(set)
+    takers: Callees = defaultdict(set)
+    for call in (*graph.calls, *graph.taken):
+        if ANYTHING not in (call.caller, call.callee):
+            reaches[call.caller].add(call.callee)
+    for call in graph.taken:
+        takers[call.callee].add(call.caller)
+    apart = _from(reaches, INTERSECT) - _from(reaches, CONSTRUCT)
+    return {name for name, owners in takers.items() if owners <= apart}
+
+
+def _from(callees: Callees, name: str) -> set[str]:
+    return reachable(callees, [name]) | {name}
+
+
+def _filled(graph: CallGraph, name: str) -> set[str]:
+    """What a constructor of `std::function`, or an assignment to one, puts into it."""
+    fillers: Callees = defaultdict(set)
+    for call in (*graph.calls, *graph.taken):
+        if call.caller.startswith("_ZNSt8functionI"):
+            fillers[call.caller].add(call.callee)
+    return {target for target in reachable(fillers, [name]) if _is_target(target)}
+
+
+def _objects(graph: CallGraph, elsewhere: set[str]) -> Iterator[tuple[str, set[str]]]:
+    """Each function that calls a `std::function`, and what may be in there by its signature."""
+    names = sorted({name for call in graph.calls for name in (call.caller, call.callee)})
+    calls = [match for name in names if (match := OBJECT_CALL.match(name))]
+    targets = [match for name in names if (match := OBJECT_TARGET.match(name))]
+    for call in calls[:MAX_SIGNATURES]:
+        wanted = f"{call['signature']}E"
+        meant = {each.string for each in targets if each["rest"].startswith(wanted)}
+        yield call.string, meant - elsewhere
+
+
+def _all_recur(callees: Callees, call: str, targets: Iterable[str]) -> bool:
+    """Tell whether every target makes the same call again and builds nodes.
+
+    Then one of them calls itself in the end, whichever is meant where. A target that only
+    sorts may call itself, and one that calls nothing ends it.
+    """
+    callers = reverse(callees)
+    recur = reachable(callers, [call])
+    build = reachable(callers, filter(speaks_of_nodes, names_of(callees)))
+    return all(target in recur and target in build for target in targets)

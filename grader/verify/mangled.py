@@ -1,0 +1,52 @@
+"""What the mangled name of a function says of it. Names are read, never run or printed."""
+
+import re
+
+STANDARD = re.compile(r"_ZN?K?(St|Sa|Ss|9__gnu_cxx)|_Zn|_Zd")
+"""Functions of the standard library, and the operators new and delete."""
+
+TREE_TYPES = re.compile(
+    r"(?<!\d)(3BVH4Node|4AABB(?![CD]\d|aS))|NS\w?_4Node|_ZN?K?3BVH14getFaceIndices"
+)
+"""Mangled names that speak of nodes or boxes: whoever calls these builds the tree.
+
+A sorting helper only touches face indices and centres, so it never reaches one of them.
+"""
+
+TOKEN = re.compile(r"S[0-9A-Z]*_|T\d*_|L[a-z]n?\d+E|(?P<length>\d+)|.")
+"""Pieces of a mangled name; an identifier is its length and that many letters.
+
+Source: Itanium C++ ABI, section 5.1, "External Names (a.k.a. Mangling)".
+"""
+
+TREE_WORK = re.compile(
+    r"_ZN4AABB6extend|_ZNK?3BVH14getFaceIndices"
+    r"|_ZNSt6vectorIN3BVH4NodeESaIS\w?_EE(ix|2at|4back|6(resize|assign|insert)"
+    r"|7emplace|9push_back|12emplace_back)"
+)
+"""Mangled names of what no copy and no clean-up of a tree ever calls."""
+
+LIFETIME = re.compile(r"[CD][0-5]|aS[EI](?!_)")
+"""Constructors, destructors and assignments in mangled names."""
+
+
+def speaks_of_nodes(name: str) -> bool:
+    """Whether a function has to do with nodes or boxes, and not only with sorting.
+
+    Where it was written does not count: the comparator inside `split(Node&)`, and a quicksort
+    that is made for this comparator, carry the name of `split` in theirs.
+    """
+    at = 2
+    while (token := TOKEN.match(name, at)) and token[0] != "Z":
+        at = token.end() + int((token["length"] or "0")[:6])
+    return TREE_TYPES.search(name[:at]) is not None
+
+
+def is_lifetime(name: str) -> bool:
+    """Tell whether a function constructs, copies, assigns or destroys a student's object."""
+    at = 2
+    while not STANDARD.match(name) and (token := TOKEN.match(name, at)):
+        at = token.end() + int((token["length"] or "0")[:6])
+        if LIFETIME.match(token[0] + name[at : at + 3]):
+            return True
+    return False
