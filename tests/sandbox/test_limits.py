@@ -14,7 +14,9 @@ from grader.run.job import Job
 from grader.run.protocol import Op
 from grader.run.session import Allowance, Engine, run_job
 from grader.run.transfer import give_mesh, read_tree
-from grader.sandbox.box import Isolation
+from grader.sandbox.box import Box, Isolation
+from grader.sandbox.confine import Target, confined
+from grader.sandbox.launch import Outcome
 from grader.sandbox.streams import DROPPED
 from tests.compiled import PATIENT, compilation, engine_of, submission_of
 
@@ -108,6 +110,21 @@ def test_computing_time_of_two_threads_together(engine: Engine) -> None:
     assert 1 <= ending.cpu_seconds < 2
     ending = used(engine, SPIN_TWICE, 1.6, Allowance(2, 90))
     assert stop(ending) == (Stop.TIMED_OUT, "stopped after 2 s of computing time")
+
+
+@pytest.mark.parametrize(("seconds", "stopped"), [(0.9, False), (1.1, True)])
+def test_computing_time_that_the_kernel_did_not_stop(
+    engine: Engine, monkeypatch: pytest.MonkeyPatch, seconds: float, stopped: bool
+) -> None:
+    """Its own limit counts ticks and may come late; what was seen in the end decides."""
+
+    def late(target: Target, box: Box, entry: Path, isolation: Isolation) -> Outcome:
+        return replace(confined(target, box, entry, isolation), cpu_seconds=seconds)
+
+    monkeypatch.setattr("grader.run.session.confined", late)
+    ending = used(engine, STACK, 1, Allowance(1, 90))
+    said = (Stop.TIMED_OUT, "stopped after 1 s of computing time")
+    assert stop(ending) == (said if stopped else FINISHED)
 
 
 def test_computing_time_of_who_ignores_the_signal(engine: Engine) -> None:
