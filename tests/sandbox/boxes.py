@@ -5,7 +5,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from grader.sandbox.box import Bounds, Box, Isolation
+from grader.resources import is_root
+from grader.sandbox.box import Bounds, Box, Isolation, Level
 from grader.sandbox.confine import Target, confined
 from grader.sandbox.launch import Outcome
 from grader.sandbox.stage import staged
@@ -27,6 +28,15 @@ class Given:
     descriptors: tuple[int, ...] = ()
     readable: tuple[Path, ...] = ()
     words: Sequence[str] = ()
+
+
+def counts_tasks(isolation: Isolation) -> bool:
+    """Tell whether the kernel counts the tasks of a box alone.
+
+    Without a namespace it counts all that a user runs, which is more than the box unless the
+    grader is root and gives each box a user of its own: then there is no limit.
+    """
+    return isolation.level is Level.NAMESPACES or is_root()
 
 
 def as_worker(isolation: Isolation, code: str, given: Given | None = None) -> Outcome:
