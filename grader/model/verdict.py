@@ -39,6 +39,12 @@ class Evidence:
     line: int = 0
     """Line of the student's file that the evidence points at; 0 if none."""
 
+    hidden_by: str = ""
+    """Of `examined == 0`: the check whose failure here keeps this one from telling."""
+
+    too_small: bool = False
+    """Of `examined == 0`: whether the case is wrong, but too small to tell in what way."""
+
 
 @dataclass(frozen=True, slots=True)
 class Finding:

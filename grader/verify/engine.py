@@ -33,7 +33,7 @@ class Examiner:
                         yield finding
 
     def _decide(self, each: Check, case: Case) -> Finding | None:
-        """Decide one check; None if the worker ended too early to tell."""
+        """Decide one check; None if the worker ended too early, or did too little, to tell."""
         for need in each.needs:
             earlier = self._verdicts.get((need, case.name))
             if earlier not in (Verdict.PASS, None):
@@ -46,10 +46,19 @@ class Examiner:
             return Finding(each.id, case.name, Verdict.BROKEN, NOTHING, reason)
         finally:
             self.seconds[each.id] += time.monotonic() - started
+        if evidence.examined == 0:
+            return _of_nothing(each, case, evidence)
         if evidence.stop is not Stop.FINISHED and not evidence.wrong:
             return None
-        if evidence.examined == 0:
-            # A right submission would have given this check something to look at.
-            return Finding(each.id, case.name, Verdict.FAIL, UNPROVEN)
         verdict = Verdict.FAIL if evidence.wrong else Verdict.PASS
         return Finding(each.id, case.name, verdict, evidence)
+
+
+def _of_nothing(each: Check, case: Case, evidence: Evidence) -> Finding | None:
+    """Say why nothing was examined; None if that says nothing of the submission."""
+    if evidence.stop is not Stop.FINISHED or evidence.too_small:
+        return None
+    if evidence.hidden_by:
+        return Finding(each.id, case.name, Verdict.BLOCKED, NOTHING, evidence.hidden_by)
+    # A right submission would have given this check something to look at.
+    return Finding(each.id, case.name, Verdict.FAIL, UNPROVEN)

@@ -111,6 +111,11 @@ def spans(mesh: Mesh, bvh: Bvh) -> Spans:
     return Spans(low, -high, centre_low, -centre_high)
 
 
+def centres(mesh: Mesh) -> Floats:
+    """(F, 3) float32, the centre of each triangle."""
+    return _face_minima(mesh)[:, 6:9]
+
+
 @lru_cache(maxsize=2)
 def _face_minima(mesh: Mesh) -> Floats:
     """(F, 12) float32: low, -high, centre, -centre of each triangle."""

@@ -116,6 +116,15 @@ def test_a_check_is_blocked_unless_what_it_needs_passed(first: Check, second: Ve
     assert found.reason == ("t.first" if second is Verdict.BLOCKED else "")
 
 
+def test_a_check_may_leave_a_case_to_another_one() -> None:
+    """What is hidden by another mistake is BLOCKED; what is too small to tell is left out."""
+    hidden = saying(Evidence(0, 0, hidden_by="t.first"), "t.second")
+    small = saying(Evidence(0, 0, too_small=True), "t.third")
+    found = examined(saying(Evidence(1, 1)), hidden, small)
+    assert [each.check for each in found] == ["t.first", "t.second"]
+    assert (found[1].verdict, found[1].reason) == (Verdict.BLOCKED, "t.first")
+
+
 def test_a_blocked_check_blocks_what_needs_it() -> None:
     """A chain of needs ends with the first failure."""
     found = examined(
