@@ -1,6 +1,7 @@
 """Counts processes: which are there, which are left, which nobody reaped."""
 
 import os
+import subprocess
 import time
 from pathlib import Path
 
@@ -35,14 +36,17 @@ def zombies() -> set[int]:
     return {pid for pid, row in rows.items() if row[:2] == [b"Z", mine]}
 
 
-def wait_for_words(*words: str) -> set[int]:
-    """Wait until a process has all these words in its command line; all that have the first."""
-    for _ in range(6000):
+def wait_for_words(process: "subprocess.Popen[bytes]", *words: str) -> set[int]:
+    """Wait until a process has all these words in its command line; all that have the first.
+
+    Another process, which should bring that about, must not end before.
+    """
+    while process.poll() is None:
         found = [with_word(word) for word in words]
         if set.intersection(*found):
             return found[0]
         time.sleep(0.02)
-    raise AssertionError(f"no process with {words} in two minutes")
+    raise AssertionError(f"ended without a process with {words}: {process.communicate()}")
 
 
 def all_gone(pids: set[int]) -> bool:

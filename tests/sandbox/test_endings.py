@@ -17,7 +17,7 @@ from grader.sandbox.selftest import proved_isolation
 from tests.sandbox.boxes import as_worker, python_as_compiler
 from tests.sandbox.census import all_gone, wait_for_words, with_word, zombies
 
-CHECKOUT = Path(__file__).parents[2]
+PATH = os.pathsep.join([str(Path(__file__).parents[2]), os.environ.get("PYTHONPATH", "")])
 
 DAEMON = """
 import os, signal, time
@@ -147,7 +147,7 @@ def grader(isolation: Isolation, token: str, cache: Path) -> "subprocess.Popen[s
     letter = "A" if isolation.level.value.startswith("bubblewrap") else "B"
     process = subprocess.Popen(
         [sys.executable, "-c", textwrap.dedent(GRADER.replace("{token}", token)), letter],
-        env={**os.environ, "BVHGRADE_CACHE": str(cache), "PYTHONPATH": str(CHECKOUT)},
+        env={**os.environ, "BVHGRADE_CACHE": str(cache), "PYTHONPATH": PATH},
         stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
         text=True,
@@ -218,13 +218,14 @@ def test_a_grader_that_is_asked_to_end_takes_all_with_it(
         env={
             **os.environ,
             "BVHGRADE_ISOLATION": level,
-            "PYTHONPATH": str(CHECKOUT),
+            "PYTHONPATH": PATH,
             "TMPDIR": str(temporary),
         },
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
     )
-    running = wait_for_words(str(temporary), *(each.format(folder=temporary) for each in words))
+    started = [each.format(folder=temporary) for each in words]
+    running = wait_for_words(process, str(temporary), *started)
     process.send_signal(number)
     _, said = process.communicate()
     assert (process.returncode, b"Traceback" in said) == (128 + number, False), said

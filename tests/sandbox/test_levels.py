@@ -266,7 +266,7 @@ def test_no_group_of_ours_comes_along(level: str, open_folder: Path) -> None:
     """Files of the group root or docker stay closed; a user of his own keeps what is his."""
     said = subprocess.run(
         [sys.executable, "-c", GROUPS, level, str(open_folder / "own")],
-        env={**os.environ, "PYTHONPATH": str(PACKAGE.parent)},
+        env={**os.environ, "PYTHONPATH": os.pathsep.join([str(PACKAGE.parent), *sys.path])},
         extra_groups=[1, 27, 4000] if is_root() else None,
         capture_output=True,
         text=True,
