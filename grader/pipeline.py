@@ -13,7 +13,7 @@ from grader.model.cases import BuildCase, Case, DepthCase, SourceCase, WorkCase
 from grader.model.grade import Grade, Limits, Rubric
 from grader.model.stages import Build, Rejected, Submission
 from grader.model.trials import AlteredTrial, ConstructTrial, ImageTrial, Trial, WorkTrial
-from grader.oracle.plan import Plan, depth_trial, make_plan
+from grader.oracle.plan import Plan, deeper_trials, depth_trial, make_plan
 from grader.run.session import Engine
 from grader.run.trials import LARGE_MESH, Budget, Engines, part_of, run_trials
 from grader.sandbox.box import Isolation
@@ -22,7 +22,7 @@ from grader.sandbox.selftest import proved_isolation, unconfined
 from grader.selection import select
 from grader.solution import Solution
 from grader.summary import Progress, Summary
-from grader.verify.structure import ends_at_the_limit
+from grader.verify.structure import deepest_level, ends_at_the_limit
 
 _RESERVE = 0.15
 """Share of the time limit that is kept for judging what the last workers brought."""
@@ -80,7 +80,9 @@ def grade_one(path: Path, options: Options) -> Grade:
             summary.examine(run.cases([trial for trial in then if _hopeful(trial, summary)]))
             further = run.further_trials()
             summary.examine(run.cases(further) if further else run.small_depths)
-        return summary.grade(submission, build, (*trials, *further))
+            deeper = selection.useful(run.deeper_trials(summary))
+            summary.examine(run.cases(deeper))
+        return summary.grade(submission, build, (*trials, *further, *deeper))
 
 
 def _isolation(options: Options) -> Isolation:
@@ -205,6 +207,15 @@ class _Run:
         if not wanted or (small and all(ends_at_the_limit(case) for case in small)):
             return ()
         return (depth_trial(self._options.seed),)
+
+    def deeper_trials(self, summary: Summary) -> Sequence[Trial]:
+        """Ask for a tree of level 20 where the submission's own trees have that level.
+
+        Those of a submission that counts the root as level 1 end before, and it may rely on it.
+        """
+        reached = any(deepest_level(case) == case.max_depth for case in self.small_depths)
+        deeper = deeper_trials(self._options.seed) if reached else ()
+        return [trial for trial in deeper if _hopeful(trial, summary)]
 
 
 def _engines(build: Build, limits: Limits, isolation: Isolation) -> Engines:

@@ -125,5 +125,8 @@ class Ending:
     line: int = 0
     """Line of the student's file that the finding names; 0 if none."""
 
+    delayed_seconds: float = 0.0
+    """How much of its time the worker stood in line for a processor."""
+
     crowded: bool = False
-    """True if the clock ended it while others kept the machine busy: our fault."""
+    """True if the clock ended it because it stood in line for too long: our fault."""

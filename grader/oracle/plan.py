@@ -27,6 +27,7 @@ from grader.oracle.remember import Arrays, digest_of, remember
 from grader.oracle.scenes import image_trials, load_mesh
 from grader.oracle.spines import DEEPEST, spine_trial
 from grader.oracle.tracing import sample, traced
+from grader.tolerances import MAX_DEPTH
 
 Trees = Callable[[Sequence[Mesh]], list[Bvh]]
 
@@ -85,7 +86,7 @@ class Plan:
 
 
 def make_plan(seed: int, trees: Trees) -> Plan:
-    """Draw all trials of a seed, but for `depth_trial`.
+    """Draw all trials of a seed, but for `depth_trial` and `deeper_trials`.
 
     Args:
         seed: Two plans of one seed are equal, bit by bit.
@@ -116,11 +117,16 @@ def make_plan(seed: int, trees: Trees) -> Plan:
         *_exact_trials(seed, trees),
         *_sampled(tracing),
         *_deepest(pictures),
-        *_spines(seed),
+        *_spines(seed, DEEPEST),
         *_repeats(seed, meshes, built),
         *pictures,
     )
     return Plan(trials, tuple((each.trial.name, each.fault) for each in made if each.fault))
+
+
+def deeper_trials(seed: int) -> list[TraceTrial]:
+    """Draw the trials on a tree of level 20, for those whose own trees have that level."""
+    return _spines(seed, MAX_DEPTH)
 
 
 def depth_trial(seed: int) -> ConstructTrial:
@@ -206,9 +212,9 @@ def _sampled(tracing: Sequence[TraceTrial]) -> list[TraceTrial]:
     ]
 
 
-def _spines(seed: int) -> list[TraceTrial]:
+def _spines(seed: int, deepest: int) -> list[TraceTrial]:
     """Lay out the tree that is as deep as trees may be, for both builds."""
-    trial = spine_trial(seed, DEEPEST)
+    trial = spine_trial(seed, deepest)
     return [trial, sample(trial, SPINE_STEP, f"{trial.name}, sanitized")]
 
 

@@ -26,7 +26,7 @@ DEEPEST = MAX_DEPTH - 1
 """Deepest level of the tree, below a root of level 0.
 
 Whether a tree of depth 20 ends at level 19 or 20 is a matter of reading, and a solution may be
-made for the levels of its own trees only.
+made for the levels of its own trees only. Level 20 is for those whose trees reach it.
 """
 
 ROUNDS = 2

@@ -11,7 +11,6 @@ from grader.model.cases import Case, MemoryCase, SurvivalCase
 from grader.model.grade import Limits
 from grader.model.stages import Ending, Stop
 from grader.model.trials import ConstructTrial, RebuildTrial, TraceTrial, Trial
-from grader.run.load import MachineLoad
 from grader.run.requests import request
 from grader.run.session import Allowance, Engine, run_job
 
@@ -25,6 +24,10 @@ WORKERS = 2
 """More at once would take memory and time from each other."""
 
 HURRIED_SECONDS = 1.0
+OWN_SHARE = 0.4
+"""A submission that used less of the grade's time than this, all workers together, is not the one
+that used it up. Two workers at a time can use 2; right ones use about 0.1."""
+
 PATIENCE = 3
 """After this many time-outs in one part the other trials of it get `HURRIED_SECONDS`."""
 
@@ -68,8 +71,9 @@ class Budget:
             seconds: Wall time of all of them together.
         """
         self._limits = limits
-        self._load = MachineLoad()
+        self._seconds = seconds
         self._deadline = time.monotonic() + seconds
+        self._used = 0.0
         self._timeouts = {"a": 0, "b": 0}
         self._lock = threading.Lock()
 
@@ -95,15 +99,21 @@ class Budget:
             ending: How that ended.
             allowed: What it was given; None if it was not even begun.
         """
-        if ending.stop is not Stop.TIMED_OUT:
-            return ending
+        # Sleeping counts as use; standing in line does not.
+        own = ending.seconds - ending.delayed_seconds
         with self._lock:
-            hopeless = self._timeouts[part_of(trial)] >= PATIENCE
-        computed = allowed is not None and ending.cpu_seconds >= allowed.cpu_seconds
-        if not computed and not hopeless and self._load.crowded():
-            return replace(ending, crowded=True)
-        with self._lock:
-            self._timeouts[part_of(trial)] += allowed is not None
+            self._used += own
+            if ending.stop is not Stop.TIMED_OUT:
+                return ending
+            if allowed is None:
+                return replace(ending, crowded=self._used < OWN_SHARE * self._seconds)
+            if max(own, ending.cpu_seconds) < allowed.cpu_seconds:
+                # The wall limit is a multiple of the CPU limit, so it did not get its time;
+                # or the end of the whole grade came first.
+                cut = allowed.wall_seconds < allowed.cpu_seconds
+                late = cut and self._used >= OWN_SHARE * self._seconds
+                return replace(ending, crowded=not late)
+            self._timeouts[part_of(trial)] += 1
         return ending
 
 
@@ -142,6 +152,7 @@ def _run(trial: Trial, engines: Engines, budget: Budget) -> tuple[Case, ...]:
         if result is None:
             return _ended(trial, budget.blamed(trial, ending, allowed))
         results.append(result)
+        budget.blamed(trial, ending, allowed)
     return (*_ended(trial, ending), *asked.read(results, ending))
 
 

@@ -21,8 +21,12 @@ from pathlib import Path
 from typing import IO
 
 from grader.errors import Interrupted, MissingTool
+from grader.sandbox.delay import seconds_in_line
 from grader.sandbox.reaping import adopt_orphans, reap
 from grader.sandbox.streams import Stream
+
+GLANCE_SECONDS = 0.5
+"""How often a process that takes long is looked at."""
 
 PLAIN_ENVIRONMENT = {"PATH": "/usr/local/bin:/usr/bin:/bin", "LC_ALL": "C.UTF-8"}
 """What a child sees of our environment: nothing of the caller's tokens and paths."""
@@ -61,6 +65,8 @@ class Outcome:
     err: bytes
     seconds: float
     cpu_seconds: float
+    delayed_seconds: float = 0.0
+    """How long it stood in line for a processor, as far as that was seen."""
 
 
 class _Running:
@@ -117,14 +123,15 @@ def launch(order: Order) -> Outcome:
     with child:
         try:
             streams = [Stream(pipe.fileno(), order.output_bytes) for pipe in _pipes(child)]
-            timed_out = not _watch(child.pid, streams, started + order.seconds)
+            finished, delayed = _watch(child.pid, streams, started + order.seconds)
         finally:
             _running.forget(child)
             code, cpu_seconds = reap(child, order.report)
         for stream in streams:
             stream.drain_all()
     out, err = (stream.kept for stream in streams)
-    return Outcome(code, timed_out, out, err, time.monotonic() - started, cpu_seconds)
+    seconds = time.monotonic() - started
+    return Outcome(code, not finished, out, err, seconds, cpu_seconds, delayed)
 
 
 def _start(order: Order) -> subprocess.Popen[bytes]:
@@ -153,8 +160,13 @@ def _pipes(child: subprocess.Popen[bytes]) -> list[IO[bytes]]:
     return [pipe for pipe in (child.stdout, child.stderr) if pipe is not None]
 
 
-def _watch(pid: int, streams: list[Stream], deadline: float) -> bool:
-    """Drain the pipes until the child ends; False if the deadline came first."""
+def _watch(pid: int, streams: list[Stream], deadline: float) -> tuple[bool, float]:
+    """Drain the pipes until the child ends or the deadline comes.
+
+    Returns:
+        Whether it ended in time, and how long it was seen to stand in line.
+    """
+    delayed, glance = 0.0, time.monotonic() + GLANCE_SECONDS
     pidfd = os.pidfd_open(pid)
     try:
         with selectors.DefaultSelector() as selector:
@@ -162,11 +174,14 @@ def _watch(pid: int, streams: list[Stream], deadline: float) -> bool:
             for stream in streams:
                 selector.register(stream.descriptor, selectors.EVENT_READ, stream)
             while (left := deadline - time.monotonic()) > 0:
-                for key, _ in selector.select(left):
+                if time.monotonic() >= glance:
+                    delayed = max(delayed, seconds_in_line(pid))
+                    glance = time.monotonic() + GLANCE_SECONDS
+                for key, _ in selector.select(min(left, GLANCE_SECONDS)):
                     if key.data is None:
-                        return True
+                        return True, delayed
                     if key.data.drain() == 0:
                         selector.unregister(key.fd)
-            return False
+            return False, max(delayed, seconds_in_line(pid))
     finally:
         os.close(pidfd)

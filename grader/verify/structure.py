@@ -178,7 +178,12 @@ def depth_is_limited(case: DepthCase) -> Evidence:
 
 def ends_at_the_limit(case: DepthCase) -> bool:
     """Tell whether the deepest level is the last allowed one, the root being level 0 or 1."""
-    return case.max_depth - 1 <= shape(case.bvh).depth <= case.max_depth
+    return case.max_depth - 1 <= deepest_level(case) <= case.max_depth
+
+
+def deepest_level(case: DepthCase) -> int:
+    """Return the level of the deepest node, the root being level 0."""
+    return shape(case.bvh).depth
 
 
 @check(SurvivalCase, "bvh.survives-every-mesh", when=calls_construct)

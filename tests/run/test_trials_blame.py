@@ -1,0 +1,76 @@
+"""Whose fault is a stop by the clock?"""
+
+import pytest
+
+from grader.model.stages import Ending, Stop
+from grader.model.trials import ConstructTrial
+from grader.run.session import Allowance
+from grader.run.trials import HURRIED_SECONDS, PATIENCE, Budget
+from grader.score.rubric import load_rubric
+from tests.verify.builder import soup
+
+LIMITS = load_rubric().limits
+TRIAL = ConstructTrial("a mesh", soup(9))
+ALLOWED = Allowance(10.0, 30.0)
+NOT_BEGUN = Ending(Stop.TIMED_OUT, "not run", 0.0, 0.0, "")
+
+
+def late(cpu: float, delayed: float, seconds: float = 30.0) -> Ending:
+    """A worker that the clock ended."""
+    return Ending(Stop.TIMED_OUT, "stopped", seconds, cpu, "", delayed_seconds=delayed)
+
+
+@pytest.mark.parametrize(
+    ("ending", "crowded"),
+    [
+        (late(0.1, 0.0), False),
+        (late(0.1, 15.0), False),
+        (late(5.0, 24.0), True),
+        (late(9.9, 20.1), True),
+        (late(10.0, 25.0), False),
+        (late(11.0, 3.0, seconds=6.0), False),
+    ],
+    ids=["sleeps", "sleeps a bit", "starves", "nearly done", "computes", "threads"],
+)
+def test_standing_in_line_is_no_fault_of_the_submission(ending: Ending, crowded: bool) -> None:
+    """Sleeping and computing count as use of its own time; waiting for a processor does not."""
+    assert Budget(LIMITS, 100.0).blamed(TRIAL, ending, ALLOWED).crowded is crowded
+
+
+def test_what_is_not_begun_is_the_fault_of_who_used_the_time() -> None:
+    """Who sleeps in every case has used up the grade; who starves has not."""
+    sleeper, starved = Budget(LIMITS, 100.0), Budget(LIMITS, 100.0)
+    for _ in range(PATIENCE):
+        sleeper.blamed(TRIAL, late(0.1, 0.0), ALLOWED)
+        starved.blamed(TRIAL, late(2.0, 27.0), ALLOWED)
+    assert not sleeper.blamed(TRIAL, NOT_BEGUN, None).crowded
+    assert starved.blamed(TRIAL, NOT_BEGUN, None).crowded
+
+
+def test_the_end_of_the_grade_cuts_who_used_it_up() -> None:
+    """A worker that had a second left is judged by what all of them have used."""
+    cut = Allowance(10.0, 1.0)
+    sleeper = Budget(LIMITS, 100.0)
+    for _ in range(PATIENCE):
+        sleeper.blamed(TRIAL, late(0.1, 0.0), ALLOWED)
+    assert not sleeper.blamed(TRIAL, late(0.1, 0.0, seconds=1.0), cut).crowded
+    assert Budget(LIMITS, 100.0).blamed(TRIAL, late(0.1, 0.0, seconds=1.0), cut).crowded
+
+
+def test_after_many_time_outs_the_others_are_hurried() -> None:
+    """But not after those that are nobody's fault."""
+    blamed, starved = Budget(LIMITS, 1000.0), Budget(LIMITS, 1000.0)
+    for _ in range(PATIENCE):
+        blamed.blamed(TRIAL, late(10.0, 0.0), ALLOWED)
+        starved.blamed(TRIAL, late(5.0, 24.0), ALLOWED)
+    hurried, patient = blamed.allowance(TRIAL), starved.allowance(TRIAL)
+    assert hurried
+    assert patient
+    assert (hurried.cpu_seconds, patient.cpu_seconds) == (HURRIED_SECONDS, LIMITS.small_seconds)
+
+
+@pytest.mark.parametrize("stop", [each for each in Stop if each is not Stop.TIMED_OUT])
+def test_other_ends_have_nothing_to_do_with_the_clock(stop: Stop) -> None:
+    """A crash on a busy machine is a crash."""
+    ending = Ending(stop, "", 1.0, 1.0, "", delayed_seconds=0.9)
+    assert Budget(LIMITS, 60.0).blamed(TRIAL, ending, ALLOWED) == ending
