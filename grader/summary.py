@@ -77,7 +77,7 @@ class Summary:
 
     def _crowded(self, trial: Trial) -> None:
         """Conclude nothing from a worker that had to wait for others than itself."""
-        reason = "it stood in line for a processor for too long, so the time says nothing; grade again"
+        reason = "it stood in line for a processor for too long; grade it again"
         self._findings += [
             Finding(each.id, trial.name, Verdict.BROKEN, Evidence(0, 0), reason)
             for each in self._selection.checks

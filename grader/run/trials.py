@@ -25,8 +25,10 @@ WORKERS = 2
 
 HURRIED_SECONDS = 1.0
 OWN_SHARE = 0.4
-"""A submission that used less of the grade's time than this, all workers together, is not the one
-that used it up. Two workers at a time can use 2; right ones use about 0.1."""
+"""Who used less of the grade's time than this, all workers together, did not use it up.
+
+Two workers at a time can use 2; right submissions use about 0.1.
+"""
 
 PATIENCE = 3
 """After this many time-outs in one part the other trials of it get `HURRIED_SECONDS`."""

@@ -1,7 +1,7 @@
 """How long did a process stand in line for a processor?
 
-A process that the clock stops was either waiting of its own accord or kept waiting by others. The
-kernel counts the second for each thread, and nothing inside a box can change that figure.
+A process that the clock stops was either waiting of its own accord or kept waiting by others.
+The kernel counts the second for each thread; nothing inside a box can change that figure.
 """
 
 from collections.abc import Iterator
