@@ -125,6 +125,9 @@ class Ending:
     line: int = 0
     """Line of the student's file that the finding names; 0 if none."""
 
+    by_clock: bool = False
+    """True if its wall time was over, and not its CPU time."""
+
     delayed_seconds: float = 0.0
     """How much of its time the worker stood in line for a processor."""
 

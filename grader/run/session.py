@@ -126,6 +126,7 @@ def _ending(outcome: Outcome, job: Job, result: Result, allowed: Allowance) -> E
         output=outcome.out.decode("utf-8", errors="replace") + text,
         finding=finding,
         line=line,
+        by_clock=outcome.timed_out,
         delayed_seconds=outcome.delayed_seconds,
     )
 

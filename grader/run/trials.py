@@ -109,7 +109,7 @@ class Budget:
                 return ending
             if allowed is None:
                 return replace(ending, crowded=self._used < OWN_SHARE * self._seconds)
-            if max(own, ending.cpu_seconds) < allowed.cpu_seconds:
+            if ending.by_clock and max(own, ending.cpu_seconds) < allowed.cpu_seconds:
                 # The wall limit is a multiple of the CPU limit, so it did not get its time;
                 # or the end of the whole grade came first.
                 cut = allowed.wall_seconds < allowed.cpu_seconds

@@ -17,7 +17,9 @@ NOT_BEGUN = Ending(Stop.TIMED_OUT, "not run", 0.0, 0.0, "")
 
 def late(cpu: float, delayed: float, seconds: float = 30.0) -> Ending:
     """A worker that the clock ended."""
-    return Ending(Stop.TIMED_OUT, "stopped", seconds, cpu, "", delayed_seconds=delayed)
+    return Ending(
+        Stop.TIMED_OUT, "stopped", seconds, cpu, "", by_clock=True, delayed_seconds=delayed
+    )
 
 
 @pytest.mark.parametrize(
@@ -35,6 +37,12 @@ def late(cpu: float, delayed: float, seconds: float = 30.0) -> Ending:
 def test_standing_in_line_is_no_fault_of_the_submission(ending: Ending, crowded: bool) -> None:
     """Sleeping and computing count as use of its own time; waiting for a processor does not."""
     assert Budget(LIMITS, 100.0).blamed(TRIAL, ending, ALLOWED).crowded is crowded
+
+
+def test_the_kernel_stops_a_little_early_and_means_it() -> None:
+    """A worker that its CPU limit ended has had its time, whatever the figures say."""
+    ending = Ending(Stop.TIMED_OUT, "stopped", 1.2, 0.9, "", delayed_seconds=0.4)
+    assert not Budget(LIMITS, 100.0).blamed(TRIAL, ending, Allowance(1.0, 3.0)).crowded
 
 
 def test_what_is_not_begun_is_the_fault_of_who_used_the_time() -> None:
