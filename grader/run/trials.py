@@ -73,9 +73,11 @@ class Budget:
             seconds: Wall time of all of them together.
         """
         self._limits = limits
-        self._seconds = seconds
-        self._deadline = time.monotonic() + seconds
-        self._used = 0.0
+        begun = time.monotonic()
+        # What part a uses up must not be missing in part b.
+        self._seconds = {"a": seconds / 2, "b": seconds}
+        self._deadline = {part: begun + share for part, share in self._seconds.items()}
+        self._used = {"a": 0.0, "b": 0.0}
         self._timeouts = {"a": 0, "b": 0}
         self._lock = threading.Lock()
 
@@ -89,7 +91,7 @@ class Budget:
         with self._lock:
             if self._timeouts[part_of(trial)] >= PATIENCE:
                 allowed = HURRIED_SECONDS
-        left = self._deadline - time.monotonic()
+        left = self._deadline[part_of(trial)] - time.monotonic()
         wall = min(allowed * self._limits.wall_factor, left)
         return Allowance(allowed, wall) if left > 0 else None
 
@@ -103,19 +105,21 @@ class Budget:
         """
         # Sleeping counts as use; standing in line does not.
         own = ending.seconds - ending.delayed_seconds
+        part = part_of(trial)
+        enough = OWN_SHARE * self._seconds[part]
         with self._lock:
-            self._used += own
+            self._used[part] += own
             if ending.stop is not Stop.TIMED_OUT:
                 return ending
             if allowed is None:
-                return replace(ending, crowded=self._used < OWN_SHARE * self._seconds)
+                return replace(ending, crowded=self._used[part] < enough)
             if ending.by_clock and max(own, ending.cpu_seconds) < allowed.cpu_seconds:
                 # The wall limit is a multiple of the CPU limit, so it did not get its time;
                 # or the end of the whole grade came first.
                 cut = allowed.wall_seconds < allowed.cpu_seconds
-                late = cut and self._used >= OWN_SHARE * self._seconds
+                late = cut and self._used[part] >= enough
                 return replace(ending, crowded=not late)
-            self._timeouts[part_of(trial)] += 1
+            self._timeouts[part] += 1
         return ending
 
 
