@@ -21,15 +21,18 @@ INSIDE = Path(__file__).with_name("inside")
 ENTRY = ("enter.py", "landlock.py")
 
 
-@cache
 def staged(modules: tuple[Path, ...] = ()) -> Path:
     """Copy enter.py and the modules that it may become; returns the copy of enter.py.
 
     Raises:
         OutputFault: The cache folder cannot be written.
     """
+    return _staged(modules, shared_cache("entry"))
+
+
+@cache
+def _staged(modules: tuple[Path, ...], parent: Path) -> Path:
     files = [INSIDE / name for name in ENTRY] + list(modules)
-    parent = shared_cache("entry")
     folder = parent / _digest(files)
     if not folder.exists():
         with tempfile.TemporaryDirectory(dir=parent) as scratch:
