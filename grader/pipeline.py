@@ -24,6 +24,9 @@ from grader.solution import Solution
 from grader.summary import Progress, Summary
 from grader.verify.structure import deepest_level, ends_at_the_limit
 
+SHORTEST_COMPILATION = 10
+"""Wall seconds that compiling may always take; ordinary files take 3."""
+
 _RESERVE = 0.15
 """Share of the time limit that is kept for judging what the last workers brought."""
 
@@ -95,9 +98,10 @@ def _time_limit(limits: Limits, options: Options) -> float:
 
 def _compilation(folder: Path, limits: Limits, options: Options) -> Compilation:
     """Leave half of the time to the runs: what is compiled twice in a row has to fit."""
-    most = max(1, int(_time_limit(limits, options) / 4))
-    wall_seconds = min(limits.compiler.wall_seconds, most)
-    hurried = replace(limits.compiler, wall_seconds=wall_seconds)
+    given, most = limits.compiler, _time_limit(limits, options) / 4
+    wall = min(given.wall_seconds, max(SHORTEST_COMPILATION, int(most)))
+    # Less CPU time than wall time, so that who computes too long is told from who waits.
+    hurried = replace(given, wall_seconds=wall, seconds=min(given.seconds, wall * 2 // 3))
     return Compilation(folder, _isolation(options), hurried)
 
 

@@ -93,7 +93,7 @@ def test_a_cache_that_cannot_be_made_is_named(
 def test_the_cache_of_root_can_be_entered(monkeypatch: pytest.MonkeyPatch) -> None:
     """Another user compiles for root, and the home of root is closed."""
     monkeypatch.delenv("BVHGRADE_CACHE", raising=False)
-    monkeypatch.setenv("XDG_CACHE_HOME", "/root/.cache")
+    monkeypatch.setenv("XDG_CACHE_HOME", "/srv/caches")
     monkeypatch.setattr(resources, "is_root", lambda: True)
     monkeypatch.setattr(resources, "_made", lambda folder, _: folder)
     assert resources.cache_folder() == Path("/var/cache/bvhgrade")

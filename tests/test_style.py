@@ -2,6 +2,7 @@
 
 import ast
 import re
+from fnmatch import fnmatch
 from pathlib import Path
 
 import pytest
@@ -124,3 +125,11 @@ def test_the_patterns_see_what_they_should(
     """Each pattern lets the right line through and stops the wrong one."""
     assert not pattern.search(right)
     assert pattern.search(wrong)
+
+
+def test_no_folder_of_tests_is_passed_over(pytestconfig: pytest.Config) -> None:
+    """What pytest does not enter is not run, and nobody is told."""
+    passed_over = pytestconfig.getini("norecursedirs")
+    for folder in {path.parent for path in python_files("tests")}:
+        for name in folder.relative_to(ROOT).parts:
+            assert not [each for each in passed_over if fnmatch(name, each)], folder

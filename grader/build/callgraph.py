@@ -9,6 +9,7 @@ compared and never used for anything else.
 """
 
 import re
+from collections import defaultdict
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
@@ -28,6 +29,7 @@ _ALIAS = re.compile(
     rb'^\s*\.(?:set|equ)\s+"?([\w.$\x80-\xff]{1,4096})"?,\s*"?([\w.$\x80-\xff]{1,4096})"?\s*$'
 )
 _LABEL = re.compile(rb'^"?([\w.$\x80-\xff]{1,4096})"?:')
+_END = re.compile(rb'^\s*\.size\s+"?([\w.$\x80-\xff]{1,4096})"?,')
 _NAME = re.compile(rb"[A-Za-z_\x80-\xff][\w.$\x80-\xff]{1,4096}")
 _CALL = re.compile(rb"^(call|jmp|bl?$|b[lr]+$)")
 _POINTER_CALL = re.compile(rb"^(call\w*\s+\*|blr\s)")
@@ -60,15 +62,13 @@ def read_assembly(text: bytes) -> CallGraph:
     symbols = [match for row in rows if (match := _SYMBOL.match(row))]
     functions, objects = ({each[1] for each in symbols if each[2] == kind} for kind in _KINDS)
     read = _Read(functions, objects)
-    place, frame = b"", Frame()
+    frames: defaultdict[bytes, Frame] = defaultdict(Frame)
     for owner, row in _placed(rows, read):
-        if owner != place:
-            place, frame = owner, Frame()
         if (line := _LINE.match(row)) and owner and line[1] in own:
             read.lines.setdefault(owner, int(line[2]))
         elif not read.is_full:
             _note(read, owner, row)
-            read.selves |= dict.fromkeys(filter(None, [frame.read(row)]))
+            read.selves |= dict.fromkeys(filter(None, [frames[owner].read(row)]))
     return CallGraph(
         calls=_pairs(read.calls),
         lines=tuple((_text(name), line) for name, line in read.lines.items()),
@@ -82,16 +82,26 @@ def _pairs(pairs: Iterable[tuple[bytes, bytes]]) -> tuple[Call, ...]:
 
 
 def _placed(rows: list[bytes], read: _Read) -> Iterator[tuple[bytes, bytes]]:
-    """Each row with the function or table it lies in; nothing if its name is not known."""
-    owner = b""
-    for row in rows:
+    """Each row with the function it lies in, or the table; nothing if its name is not known.
+
+    A function ends at the last `.size` of its name: inline assembly can write labels and ends of
+    its own, but not take the compiler's away. What it puts around a row is listed besides.
+    """
+    ends = {end[1]: number for number, row in enumerate(rows) if (end := _END.match(row))}
+    inside: dict[bytes, None] = {}
+    table = b""
+    for number, row in enumerate(rows):
         if label := _LABEL.match(row):
-            known = label[1] in read.functions or label[1] in read.objects
-            owner = label[1] if known else owner if owner in read.functions else b""
-        elif row.lstrip().startswith(b".size"):
-            owner = b""
+            name = label[1]
+            table = name if name in read.objects else b""
+            if name in read.functions and ends.get(name, 0) > number:
+                inside[name] = None
+        elif end := _END.match(row):
+            table = b""
+            if ends[end[1]] == number:
+                inside.pop(end[1], None)
         else:
-            yield owner, row
+            yield from ((owner, row) for owner in inside or [table])
 
 
 def _is_own(name: bytes) -> bool:

@@ -58,7 +58,7 @@ def compile_submission(submission: Submission, order: Compilation) -> Build:
 
     Raises:
         MissingTool: There is no compiler.
-        BuildFault: Our own framework does not compile.
+        BuildFault: Our own framework does not compile, or the machine is too busy.
     """
     compiler = find_compiler()
     started = time.monotonic()
@@ -176,5 +176,11 @@ def _made(
         environment={"TMPDIR": str(own)},
     )
     outcome = confined(target, box, staged(), work.isolation)
+    if outcome.timed_out and outcome.seconds - outcome.delayed_seconds < limits.seconds:
+        message = (
+            "compiling stood in line for a processor for too long; grade it again when the "
+            "machine is less busy"
+        )
+        raise BuildFault(message)
     made = outcome.code == 0 and not outcome.timed_out
     return outcome, adopted(own, product, limits.file_mib << 20) if made else None

@@ -54,7 +54,7 @@ rubric_option = click.option(
 )
 time_option = click.option(
     "--time-limit",
-    type=click.FloatRange(10, 86_400),
+    type=click.FloatRange(30, 86_400),
     metavar="SECONDS",
     help="The grade is there after this time, whatever happens (default: the rubric's, 120).",
 )

@@ -17,7 +17,6 @@ from typing import Any
 
 import jsonschema
 import pytest
-from _pytest.mark import ParameterSet
 from rich.console import Console
 
 from grader import pipeline
@@ -55,26 +54,6 @@ _SANITIZED = ("bvh.memory-is-safe", "hits.memory-is-safe", "bvh.depth-is-limited
 _DIRECTION = set("\u061c\u200e\u200f\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069")
 
 
-OPEN = {
-    "forge-call-graph": "the reader of calls believes labels that inline assembler sets",
-}
-"""What still gets somewhere, and why; a test fails as soon as one does not any more."""
-
-
-def attacks() -> list[ParameterSet]:
-    """All attacks, named by their files."""
-    return [
-        pytest.param(
-            attack,
-            id=attack.path.stem,
-            marks=[pytest.mark.xfail(reason=OPEN[attack.path.stem])]
-            if attack.path.stem in OPEN
-            else [],
-        )
-        for attack in every_attack()
-    ]
-
-
 @pytest.fixture(scope="session")
 def warm(cache: Path) -> None:
     """Compile the framework and the reference before any clock runs."""
@@ -92,7 +71,7 @@ def witness(warm: None, monkeypatch: pytest.MonkeyPatch) -> Generator[Witness]:
         yield witness
 
 
-@pytest.mark.parametrize("attack", attacks())
+@pytest.mark.parametrize("attack", every_attack(), ids=lambda attack: attack.path.stem)
 @pytest.mark.parametrize("level", ["A", "B"])
 def test_an_attack_gets_nowhere(
     level: str, attack: Attack, witness: Witness, monkeypatch: pytest.MonkeyPatch

@@ -46,6 +46,7 @@ main:                             # @main
 \tmovq\t_ZL4growi@GOTPCREL(%rip), %rax
 \tcallq\t*%rax
 \tcallq\t_ZL4growi
+\t.size\tmain, .Lfunc_end1-main
 """
 
 
@@ -116,4 +117,26 @@ def test_a_huge_text_is_cut(monkeypatch: pytest.MonkeyPatch) -> None:
     """Beyond a number of calls no more are listed."""
     monkeypatch.setattr(callgraph, "MAX_CALLS", 10)
     body = "".join(f"\tcall\t_Z{k}v\n" for k in range(1000))
-    assert len(calls(f"\t.type\tmain, @function\nmain:\n{body}")) == 10
+    assert len(calls(f"\t.type\tmain, @function\nmain:\n{body}\t.size\tmain, 9\n")) == 10
+
+
+FORGED = """
+\t.type\t_ZL4growi, @function
+_ZL4growi:
+\tcall\t_Z5firstv
+\t.size\t_ZL4growi, 1
+\t.type\telsewhere, @function
+elsewhere:
+\tcall\t_ZL4growi
+\t.size\telsewhere, 1
+\tcall\t_Z4lastv
+\t.size\t_ZL4growi, .-_ZL4growi
+"""
+
+
+def test_labels_of_inline_assembly_hide_no_call() -> None:
+    """Whatever is written between the beginning and the end of a function belongs to it."""
+    wanted = {("_ZL4growi", name) for name in ("_Z5firstv", "_ZL4growi", "_Z4lastv")}
+    assert calls(FORGED) == wanted | {("elsewhere", "_ZL4growi")}
+    unclosed = FORGED.replace("\t.size\telsewhere, 1\n", "")
+    assert calls(unclosed) == wanted

@@ -76,5 +76,7 @@ def test_each_function_has_a_frame_of_its_own() -> None:
     half = GNU.index("\tleaq\t-80")
     head = "\t.type\t_Z1fv, @function\n\t.type\t_Z1gv, @function\n_Z1fv:\n"
     one, two = GNU.replace("FILL", MADE)[:half], GNU.replace("FILL", MADE)[half:]
-    assert read_assembly(f"{head}{one}{two}".encode()).selves == (MADE,)
-    assert read_assembly(f"{head}{one}_Z1gv:\n{two}".encode()).selves == ()
+    end, next_one = "\t.size\t_Z1fv, 9\n", "_Z1gv:\n"
+    assert read_assembly(f"{head}{one}{two}{end}".encode()).selves == (MADE,)
+    apart = f"{head}{one}{end}{next_one}{two}\t.size\t_Z1gv, 9\n"
+    assert read_assembly(apart.encode()).selves == ()

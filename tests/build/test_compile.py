@@ -6,7 +6,9 @@ from pathlib import Path
 
 import pytest
 
+from grader.build import compile
 from grader.build.compiler import find_compiler, sanitizer_runtime
+from grader.errors import BuildFault
 from grader.model.cases import SourceCase
 from grader.model.stages import Build, Diagnostic, Stop
 from grader.model.verdict import Verdict
@@ -14,6 +16,7 @@ from grader.run.job import Job
 from grader.run.protocol import Op
 from grader.run.session import run_job
 from grader.run.transfer import give_mesh
+from grader.sandbox.launch import Outcome
 from grader.verify.source import construct_loops
 from tests.compiled import (
     BEGIN,
@@ -267,3 +270,18 @@ Intersection intersect(const Mesh& mesh, const IntersectionRay&) {
     build = compiled(BEGIN + walk + CONSTRUCT)
     assert build.calls
     assert construct_loops.decide(SourceCase("source", build.calls)).wrong == 0
+
+
+@pytest.mark.parametrize(("delayed", "ours"), [(0.0, False), (20.0, False), (40.0, True)])
+def test_a_compiler_that_stood_in_line_is_no_fault_of_the_submission(
+    cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, delayed: float, ours: bool
+) -> None:
+    """Of 60 s by the clock it had more than its 30 s of computing, or it had not."""
+    late = Outcome(-9, True, b"", b"", 60.0, 0.0, delayed)
+    monkeypatch.setattr(compile, "confined", lambda *_: late)
+    if ours:
+        with pytest.raises(BuildFault, match="stood in line for a processor"):
+            whole_build(BEGIN, tmp_path)
+    else:
+        (error, *_) = errors(whole_build(BEGIN, tmp_path))
+        assert error.text == "compiling took longer than 60 s"

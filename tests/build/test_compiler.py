@@ -97,12 +97,13 @@ def test_a_machine_without_a_compiler_is_told_what_to_install(
 def test_the_sanitizer_of_an_installed_compiler_is_found(
     name: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """The runtime is a file, with all links followed."""
+    """The runtime and the C++ library are files, with all links followed, in this order."""
     monkeypatch.setenv("CXX", name)
-    path = Path(sanitizer_runtime(find_compiler()))
-    assert path.is_file()
-    assert path == path.resolve()
-    assert "asan" in path.name
+    paths = [Path(word) for word in sanitizer_runtime(find_compiler()).split()]
+    assert ["asan" in path.name for path in paths] == [True, False]
+    for path in paths:
+        assert path.is_file()
+        assert path == path.resolve()
 
 
 @pytest.mark.parametrize(

@@ -13,14 +13,13 @@ from pathlib import Path
 
 import pytest
 
-from grader.errors import MissingTool, UsageError, WorkerFault
+from grader.errors import MissingTool, UsageError
 from grader.resources import is_root
 from grader.sandbox import selftest as module
-from grader.sandbox import slots
 from grader.sandbox.box import Isolation, Level
 from grader.sandbox.bubblewrap import find_bubblewrap
 from grader.sandbox.selftest import VARIABLE, proved_isolation
-from grader.sandbox.slots import FIRST_UID, SLOTS, own_user
+from grader.sandbox.slots import FIRST_UID, SLOTS
 from tests.sandbox.boxes import LEVELS, SYSTEM_PYTHON, as_worker
 
 PACKAGE = Path(module.__file__).parents[1]
@@ -277,35 +276,3 @@ def test_no_group_of_ours_comes_along(level: str, open_folder: Path) -> None:
     if is_root():
         assert {group for group in groups if group < FIRST_UID} == set()
         assert len(groups) == 1
-
-
-@pytest.mark.parametrize("fault", [None, RuntimeError])
-def test_slots_are_given_back(fault: type[Exception] | None) -> None:
-    """Also after a fault, and no lock stays open."""
-    before = len(list(Path("/proc/self/fd").iterdir()))
-    users = []
-    for _ in range(3):
-        try:
-            with own_user() as user:
-                users.append(user)
-                with own_user() as other:
-                    assert not user or other != user
-                if fault:
-                    raise fault
-        except RuntimeError:
-            pass
-    assert users == [users[0]] * 3
-    assert len(list(Path("/proc/self/fd").iterdir())) == before
-
-
-def test_too_many_graders_are_told(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    """When all users are taken the sentence says what to do."""
-    monkeypatch.setattr(slots, "is_root", lambda: True)
-    monkeypatch.setattr(slots, "SLOTS", 1)
-    monkeypatch.setattr(slots, "FOLDER", tmp_path / "slots")
-    full = r"all 1 users .* grade fewer at a time"
-    with own_user(), pytest.raises(WorkerFault, match=full), own_user():
-        pass
-    monkeypatch.setattr(slots, "FOLDER", tmp_path / "no" / "such")
-    with pytest.raises(WorkerFault, match="No such file"), own_user():
-        pass

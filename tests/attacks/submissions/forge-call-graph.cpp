@@ -5,15 +5,16 @@
 #include "intersection.h"
 #include "mesh.h"
 
-static uint32_t deeper(uint32_t count) {
+static uint32_t deeper(std::vector<BVH::Node>& nodes, uint32_t count) {
+    nodes.push_back({});
     if (count <= 1)
         return 0;
     asm volatile(".type elsewhere%=, @function\nelsewhere%=:" ::: "memory");
-    return 1 + deeper(count / 2);
+    return 1 + deeper(nodes, count / 2);
 }
 
 void BVH::construct(const Mesh& mesh) {
-    if (deeper(static_cast<uint32_t>(mesh.getFaces().size())) > 40)
+    if (deeper(nodes, static_cast<uint32_t>(mesh.getFaces().size())) > 40)
         return;
     const auto count = static_cast<uint32_t>(mesh.getFaces().size());
     faceIndices.resize(count);
