@@ -13,7 +13,7 @@ from grader.model.cases import BuildCase, Case, DepthCase, SourceCase, WorkCase
 from grader.model.grade import Grade, Limits, Rubric
 from grader.model.stages import Build, Rejected, Submission
 from grader.model.trials import AlteredTrial, ConstructTrial, ImageTrial, Trial, WorkTrial
-from grader.oracle.plan import Plan, deeper_trials, depth_trial, make_plan
+from grader.oracle.plan import Plan, deeper_trials, depth_trial
 from grader.run.session import Engine
 from grader.run.trials import LARGE_MESH, Budget, Engines, part_of, run_trials
 from grader.sandbox.box import Isolation
@@ -113,7 +113,7 @@ def _prepare(
         building = aside.submit(compile_submission, submission, order)
         started = time.monotonic()
         solution = Solution()
-        plan = make_plan(seed, solution.trees)
+        plan = solution.plan(seed)
         summary.plan_seconds = time.monotonic() - started
         return building.result(), plan, solution
 

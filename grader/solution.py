@@ -1,6 +1,8 @@
 """What our own solution says: its trees, and the time that it takes for a trial."""
 
 from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
@@ -11,7 +13,9 @@ from grader.model.grade import Limits
 from grader.model.mesh import Bvh, Mesh
 from grader.model.stages import Stop
 from grader.model.trials import ConstructTrial, Trial, WorkTrial
+from grader.oracle.plan import Plan, make_plan
 from grader.oracle.remember import digest_of, remember
+from grader.oracle.scenes import scenes_sha256
 from grader.run.session import Engine
 from grader.run.trials import Budget, Engines, run_trials
 from grader.sandbox.selftest import unconfined
@@ -31,6 +35,17 @@ GENEROUS = Limits(
 """The reference is ours: these limits only end a machine's bad day."""
 
 
+@dataclass(slots=True)
+class _Kept:
+    """The last plan, and what it was drawn from."""
+
+    key: tuple[int, Path, str] | None
+    plan: Plan
+
+
+_kept = _Kept(None, Plan((), ()))
+
+
 class Solution:
     """The reference's library, built once for a grade."""
 
@@ -44,6 +59,21 @@ class Solution:
             WorkerFault: The reference did not come back.
         """
         return [self._tree(mesh) for mesh in meshes]
+
+    def plan(self, seed: int) -> Plan:
+        """Draw the trials of a seed, with our trees in them; the last plan is kept in memory.
+
+        It says nothing of a submission, so whoever grades a second one need not draw it again.
+
+        Raises:
+            OracleFault: A stored mesh or picture is missing, damaged or stale.
+            MissingTool: embreex is not installed.
+        """
+        key = (seed, self._library, scenes_sha256())
+        if _kept.key != key:
+            _kept.plan = make_plan(seed, self.trees)
+            _kept.key = key
+        return _kept.plan
 
     def cpu_seconds(self, trials: Sequence[Trial]) -> dict[str, float]:
         """CPU seconds of the reference for each trial that counts work."""

@@ -10,7 +10,7 @@ from grader.build.compiler import find_compiler
 from grader.build.diagnostics import SOURCE_NAME, read_diagnostics
 from grader.build.product import adopted
 from grader.build.stopped import why_stopped
-from grader.build.workspace import GRADED, SANITIZED, Workspace, workspace
+from grader.build.workspace import GRADED, SANITIZED, Workspace, with_real_depth, workspace
 from grader.errors import BuildFault
 from grader.model.grade import CompileLimits
 from grader.model.stages import Build, CallGraph, Diagnostic, Submission
@@ -65,7 +65,7 @@ def compile_submission(submission: Submission, order: Compilation) -> Build:
     work = prepared(submission, order)
     with ThreadPoolExecutor(2) as pool:
         frameworks = list(pool.map(lambda each: workspace(compiler, each), (GRADED, SANITIZED)))
-        deep_framework = _with_real_depth(frameworks[1])
+        deep_framework = _deep(frameworks[1])
         plain = pool.submit(_link, frameworks[0], work, GRADED.name)
         sanitized = pool.submit(_link, frameworks[1], work, SANITIZED.name)
         deep = pool.submit(_link, deep_framework, work, DEEP)
@@ -98,8 +98,8 @@ def prepared(submission: Submission, work: Compilation) -> Compilation:
     return work
 
 
-def _with_real_depth(framework: Workspace) -> Workspace:
-    return replace(framework, compile_command=(*framework.compile_command, "-UEX03_MAX_DEPTH"))
+def _deep(framework: Workspace) -> Workspace:
+    return replace(framework, compile_command=with_real_depth(framework.compile_command))
 
 
 def compile_reference(submission: Submission, folder: Path) -> Path:
@@ -176,7 +176,9 @@ def _made(
         environment={"TMPDIR": str(own)},
     )
     outcome = confined(target, box, staged(), work.isolation)
-    if outcome.timed_out and outcome.seconds - outcome.delayed_seconds < limits.seconds:
+    # Who got the time of one process, or half of what the clock gave, had enough of it.
+    enough = min(limits.seconds, limits.wall_seconds / 2)
+    if outcome.timed_out and outcome.seconds - outcome.delayed_seconds < enough:
         message = (
             "compiling stood in line for a processor for too long; grade it again when the "
             "machine is less busy"

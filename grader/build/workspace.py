@@ -27,7 +27,7 @@ from grader.errors import BuildFault, MissingTool
 from grader.sandbox.launch import Order, launch
 from grader.tolerances import SMALL_MAX_DEPTH
 
-LAYOUT = 6
+LAYOUT = 7
 """Changes when this file builds something else from the same stub."""
 
 FRAMEWORK_SECONDS = 300.0
@@ -147,7 +147,9 @@ def _precompile(folder: Path, compiler: Compiler, flavour: Flavour) -> None:
     common = (folder / "stub" / "include" / "common.h").read_text()
     names = [line for line in common.splitlines() if line.startswith("#include <")]
     plain = _read_commands(folder)
-    ways = {STANDARD_HEADERS: plain.compile_command}
+    # Without the depth limit, which no standard header sees: the precompiled ones then serve
+    # the build with the small limit and the one with the real limit.
+    ways = {STANDARD_HEADERS: with_real_depth(plain.compile_command)}
     if flavour is GRADED:
         ways[GRAPH_HEADERS] = plain.graph_command
     ending = ".gch" if compiler.name == "g++" else ".pch"
@@ -156,6 +158,11 @@ def _precompile(folder: Path, compiler: Compiler, flavour: Flavour) -> None:
         header.write_text("\n".join(names) + "\n")
         output = header.with_suffix(f".h{ending}")
         _step([*command, "-x", "c++-header", str(header), "-o", str(output)], compiler)
+
+
+def with_real_depth(command: tuple[str, ...]) -> tuple[str, ...]:
+    """Take the small depth limit out of a command."""
+    return tuple(word for word in command if not word.startswith("-DEX03_MAX_DEPTH"))
 
 
 def _let_all_read(folder: Path) -> None:

@@ -16,7 +16,7 @@ import numpy as np
 import numpy.typing as npt
 
 from grader.errors import WorkerFault
-from grader.run.protocol import DATA_OFFSET, HEADER, MAGIC, ROW, VERSION, Op
+from grader.run.protocol import DATA_OFFSET, HEADER, MAGIC, ROW, VERSION
 
 ALIGNMENT = 64
 SEAL_SIZE = fcntl.F_SEAL_SHRINK | fcntl.F_SEAL_GROW | fcntl.F_SEAL_SEAL
@@ -46,11 +46,11 @@ class Job:
         self._result_size += -(-max(size, 1) // ALIGNMENT) * ALIGNMENT
         return offset
 
-    def do(self, op: Op, *arguments: int) -> None:
+    def do(self, op: int, *arguments: int) -> None:
         """Append an operation that makes no slot."""
         self._rows.append(ROW.pack(op, *arguments, *[0] * (7 - len(arguments))))
 
-    def make(self, op: Op, *arguments: int) -> int:
+    def make(self, op: int, *arguments: int) -> int:
         """Append an operation that makes a slot; returns the slot."""
         self.do(op, *arguments)
         self._slots += 1

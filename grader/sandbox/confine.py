@@ -1,6 +1,6 @@
 """How is a program started inside a box?
 
-Theory of operation. At every level the confined process is `python enter.py SPEC -- TARGET`:
+Theory of operation. At every level the confined process is `python start.py SPEC -- TARGET`:
 it limits itself, changes its user, closes its doors by Landlock and a filter of system calls,
 and only then becomes the target. At the best level all that happens inside a namespace that
 bubblewrap made, started as an unprivileged user. The paths inside are those outside, so that
@@ -55,7 +55,7 @@ def confined(target: Target, box: Box, entry: Path, isolation: Isolation) -> Out
     Args:
         target: What to run.
         box: What it may see, write and use.
-        entry: The staged enter.py; its folder has to be readable in the box.
+        entry: The staged start.py; its folder has to be readable in the box.
         isolation: The level.
 
     Raises:

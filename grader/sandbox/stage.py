@@ -18,11 +18,11 @@ from pathlib import Path
 from grader.resources import shared_cache
 
 INSIDE = Path(__file__).with_name("inside")
-ENTRY = ("enter.py", "landlock.py")
+ENTRY = ("start.py", "enter.py", "landlock.py")
 
 
 def staged(modules: tuple[Path, ...] = ()) -> Path:
-    """Copy enter.py and the modules that it may become; returns the copy of enter.py.
+    """Copy start.py and the modules that it may become; returns the copy of start.py.
 
     Raises:
         OutputFault: The cache folder cannot be written.

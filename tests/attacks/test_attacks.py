@@ -10,7 +10,6 @@ import time
 import tomllib
 import unicodedata
 from collections.abc import Generator
-from functools import cache as remembered
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -25,7 +24,6 @@ from grader.build.workspace import GRADED
 from grader.model.grade import Grade
 from grader.model.stages import Ending, Stop
 from grader.model.verdict import Verdict
-from grader.oracle.plan import make_plan
 from grader.pipeline import Options, grade_one
 from grader.report.as_json import schema_text, to_text
 from grader.report.failure import Occasion
@@ -59,7 +57,7 @@ def warm(cache: Path) -> None:
     """Compile the framework and the reference before any clock runs."""
     checks = ("build.compiles", "bvh.rebuild-starts-afresh")
     grade_one(reference_source(), Options(SEED, None, checks, lambda *_: None))
-    plan(SEED, Solution().trees)
+    Solution().plan(SEED)
 
 
 @pytest.fixture
@@ -148,7 +146,7 @@ def observed(monkeypatch: pytest.MonkeyPatch) -> list[Ending]:
 
 
 def lean(attack: Attack, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Leave out of a grade what none of its checks looks at, and plan only once."""
+    """Leave out of a grade what none of its checks looks at."""
     link = building._link
     sanitized = bool({*_SANITIZED} & {*attack.checks})
 
@@ -160,21 +158,6 @@ def lean(attack: Attack, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(building, "_link", one_flavour)
     if "source.construct-loops" not in attack.checks:
         monkeypatch.setattr(building, "call_graph", lambda *_: None)
-    monkeypatch.setattr(pipeline, "make_plan", lambda seed, trees: plan(seed, trees))
-
-
-@remembered
-def stored_plans() -> dict[int, Any]:
-    """Plans by seed: they say nothing of a submission."""
-    return {}
-
-
-def plan(seed: int, trees: Any) -> Any:  # noqa: ANN401 - passes through
-    """Make the plan of a seed once."""
-    plans = stored_plans()
-    if seed not in plans:
-        plans[seed] = make_plan(seed, trees)
-    return plans[seed]
 
 
 def rubric_of(attack: Attack) -> str:

@@ -72,9 +72,9 @@ def test_a_file_of_ours_that_is_missing_is_our_fault(
     isolation: Isolation, open_folder: Path
 ) -> None:
     """So is a target that is none of our modules."""
-    entry = open_folder / "enter.py"
+    entry = open_folder / "start.py"
     target = Target("snippet", [], 60.0, 4096)
-    with pytest.raises(WorkerFault, match=r"enter\.py"):
+    with pytest.raises(WorkerFault, match=r"start\.py"):
         confined(target, Box((open_folder,), WORKER_BOUNDS), entry, isolation)
     staged_entry = staged(SNIPPET)
     missing = replace(target, program="no_such_module")

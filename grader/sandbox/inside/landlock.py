@@ -5,9 +5,15 @@ is left out of what it is asked to handle; the filter of system calls covers the
 Source: the kernel's userspace-api/landlock; linux/landlock.h.
 """
 
+from __future__ import annotations
+
 import ctypes
 import os
-from collections.abc import Iterable
+
+# A constant that type checkers know: `collections` would cost every box 3 ms.
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable
 
 CREATE, ADD_RULE, RESTRICT = 444, 445, 446
 VERSION_FLAG = 1
