@@ -8,6 +8,7 @@ from typing import Any
 import jsonschema
 import pytest
 
+from grader.certify.corpus import corpus_folder
 from grader.errors import UsageError
 from grader.model.grade import Grade
 from grader.model.stages import Stop
@@ -21,7 +22,6 @@ from grader.selection import select
 from grader.solution import Solution
 from grader.verify import every_check
 from grader.verify.planned import planned_cases
-from tests.submissions.corpus import HERE
 
 LEVELS = {"B": "landlock+seccomp", "none": "none"}
 
@@ -131,7 +131,7 @@ def test_the_starter_scores_nothing_and_is_not_blamed() -> None:
 
 def test_a_file_that_does_not_compile_blocks_the_rest() -> None:
     """build.compiles fails with the student's line; everything else waits for it."""
-    grade = graded(HERE / "wrong" / "missing-semicolon.cpp")
+    grade = graded(corpus_folder() / "wrong" / "missing-semicolon.cpp")
     (first, *rest) = grade.checks
     assert (first.check, first.verdict) == ("build.compiles", Verdict.FAIL)
     assert first.message.startswith("1 of 1 wrong, first in `build`: line ")
@@ -170,5 +170,5 @@ def test_the_reading_full_levels_accepts_leaves_of_nine(tmp_path: Path) -> None:
     text = shipped.read_text()
     assert 'leaf_rule = "sheet"' in text
     rubric.write_text(text.replace('leaf_rule = "sheet"', 'leaf_rule = "full-levels"'))
-    grade = graded(HERE / "wrong" / "stops-at-last-full-level.cpp", rubric=rubric)
+    grade = graded(corpus_folder() / "wrong" / "stops-at-last-full-level.cpp", rubric=rubric)
     assert grade.parts[0].score == 25, [one for one in grade.checks if one.message]

@@ -16,6 +16,7 @@ from tests.own_files import ROOT
 DOCUMENTS = [
     ROOT / "README.md",
     ROOT / "CONTRIBUTING.md",
+    ROOT / "docs" / "certificate.md",
     ROOT / "docs" / "student.md",
     ROOT / "student_stub" / "README.md",
     ROOT / "scenes" / "README.md",

@@ -123,6 +123,6 @@ def test_the_reference_scores_full_marks(installed: Path, tmp_path: Path) -> Non
 
 def test_every_command_has_a_help(installed: Path, tmp_path: Path) -> None:
     """The command line is complete without a checkout."""
-    for command in ("check", "grade", "scenes", "doctor", "schema"):
+    for command in ("check", "grade", "scenes", "doctor", "schema", "certify"):
         result = run([installed / "bin" / "bvhgrade", command, "--help"], tmp_path)
         assert result.returncode == 0, result.stderr

@@ -1,10 +1,13 @@
-"""What the submissions in `right/` and `wrong/` say of themselves in their first lines."""
+"""What do the submissions in `right/` and `wrong/` say of themselves in their first lines?"""
 
+import hashlib
 import re
 from dataclasses import dataclass
 from pathlib import Path
 
-HERE = Path(__file__).parent
+from grader import resources
+from grader.errors import UsageError
+
 EXPECT = re.compile(r"^// expect: (?P<checks>[a-z0-9.-]+(?:, [a-z0-9.-]+)*)$")
 UNTOUCHED = re.compile(r"^// untouched: (?P<part>[ab-])$")
 MISTAKE = re.compile(r"^// mistake: (?P<sentence>\S.*)$")
@@ -23,14 +26,34 @@ class Wrong:
     """The part that must keep all its points; `-` if the mistake is in both."""
 
 
+def checkout() -> Path:
+    """Find the folder of the checkout that this package lies in.
+
+    Raises:
+        UsageError: It is an installed wheel, which has no tests.
+    """
+    folder = resources.stub_folder().parent
+    if not (folder / "tests" / "submissions").is_dir():
+        raise UsageError(
+            "certify grades the submissions below tests/ of a checkout, which an installed "
+            "bvhgrade does not have; clone the project and call it there"
+        )
+    return folder
+
+
+def corpus_folder() -> Path:
+    """Find the folder that holds `right/` and `wrong/`."""
+    return checkout() / "tests" / "submissions"
+
+
 def right_submissions() -> list[Path]:
     """Files that must earn everything."""
-    return sorted((HERE / "right").glob("*.cpp"))
+    return sorted((corpus_folder() / "right").glob("*.cpp"))
 
 
 def wrong_submissions() -> list[Wrong]:
     """Files with one mistake each, and what they expect of the grader."""
-    return [read_wrong(path) for path in sorted((HERE / "wrong").glob("*.cpp"))]
+    return [read_wrong(path) for path in sorted((corpus_folder() / "wrong").glob("*.cpp"))]
 
 
 def read_wrong(path: Path) -> Wrong:
@@ -47,3 +70,13 @@ def read_wrong(path: Path) -> Wrong:
         message = f"{path.name}: the first three lines must be expect, untouched and mistake"
         raise ValueError(message)
     return Wrong(path, tuple(expect["checks"].split(", ")), untouched["part"])
+
+
+def name_of(path: Path) -> str:
+    """Folder and file."""
+    return f"{path.parent.name}/{path.name}"
+
+
+def digest_of(path: Path) -> str:
+    """What ties a row to the file that was graded."""
+    return hashlib.sha256(path.read_bytes()).hexdigest()[:12]

@@ -1,0 +1,1 @@
+"""Is the grader itself right? Grades the corpus of right and wrong submissions."""

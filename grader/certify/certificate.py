@@ -1,0 +1,81 @@
+"""How does docs/certificate.md tell what the grader is known to see?"""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from grader.certify.corpus import Wrong, checkout, name_of
+from grader.certify.holes import Kind, full_marks, holes, without_killer
+from grader.certify.row import Row
+from grader.score.rubric import load_rubric
+
+BEGIN = """\
+# What the grader is known to see
+
+Written by `bvhgrade certify` from the stored kill matrix (`tests/submissions/kill-matrix.csv`,
+one seed); a test compares it. `bvhgrade certify --stored` writes it anew without grading.
+"""
+
+KILLERS = """
+## Mistakes by check
+
+*Fails*: wrong submissions that fail the check. *Owns*: those whose mistake is the check's own.
+*Alone*: those that no other check sees.
+
+| check | fails | owns | alone | for example |
+|---|---:|---:|---:|---|
+"""
+
+
+@dataclass(frozen=True, slots=True)
+class _Kills:
+    """What one check sees."""
+
+    check: str
+    fails: Sequence[Row]
+    owns: Sequence[Row]
+    alone: Sequence[Row]
+
+    def line(self) -> str:
+        """Word it as a line of the table."""
+        best = next(iter((*self.alone, *self.owns, *self.fails)), None)
+        example = f"`{best.name}`" if best else "none"
+        counts = " | ".join(str(len(each)) for each in (self.fails, self.owns, self.alone))
+        return f"| `{self.check}` | {counts} | {example} |\n"
+
+
+def certificate_file() -> Path:
+    """Where the certificate lies."""
+    return checkout() / "docs" / "certificate.md"
+
+
+def certificate(rows: Sequence[Row], wrong: Sequence[Wrong]) -> str:
+    """Word what the rows of the stored matrix say."""
+    return BEGIN + _summary(rows, wrong) + KILLERS + "".join(kill_lines(rows, wrong))
+
+
+def kill_lines(rows: Iterable[Row], wrong: Iterable[Wrong]) -> list[str]:
+    """Word one line of the table for each check of the rubric."""
+    owners = {name_of(one.path): one.checks[0] for one in wrong}
+    killed = [row for row in rows if row.name in owners]
+    return [
+        _Kills(
+            check,
+            [row for row in killed if check in row.failed],
+            [row for row in killed if owners[row.name] == check],
+            [row for row in killed if row.failed == (check,)],
+        ).line()
+        for check in (one.check for one in load_rubric(None).criteria)
+    ]
+
+
+def _summary(rows: Sequence[Row], wrong: Sequence[Wrong]) -> str:
+    found = holes(rows, wrong) + without_killer(rows, wrong)
+    counts = {kind: sum(hole.kind is kind for hole in found) for kind in Kind}
+    right = len(rows) - len(wrong)
+    full = sum(full_marks().values())
+    lines = [f"| {kind.value} | {count} |\n" for kind, count in counts.items()]
+    return (
+        f"\n{right} right submissions must earn {full:g} points, {len(wrong)} wrong ones less.\n"
+        f"\n| what could be wrong | found |\n|---|---:|\n{''.join(lines)}"
+    )

@@ -1,0 +1,92 @@
+"""Which rows have been graded already, by this very grader?
+
+A ledger is a file of JSON lines that is only appended to, so that a killed run goes on where it
+was. A line belongs to one state of everything that a verdict depends on.
+"""
+
+import hashlib
+import json
+from collections.abc import Iterator
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+from grader import resources
+from grader.build.compiler import find_compiler
+from grader.certify.row import Row
+
+WITHOUT_VERDICT = ("certify", "cli", "report", "__pycache__")
+"""Folders of the package that decide nothing."""
+
+_ENDINGS = {".py", ".toml", ".txt", ".cpp", ".h", ".npz", ".exr", ".answers", ".obj"}
+
+
+class Ledger:
+    """The results of one state of the grader."""
+
+    def __init__(self, path: Path, grader: str) -> None:
+        """Open a ledger.
+
+        Args:
+            path: The file, which may not exist yet.
+            grader: What `grader_digest` says.
+        """
+        self._path = path
+        self._grader = grader
+
+    def rows(self) -> Iterator[Row]:
+        """Every row that this grader wrote, oldest first."""
+        for line in self._lines("row"):
+            yield Row(
+                line["name"],
+                line["digest"],
+                line["seed"],
+                tuple(line["scores"]),
+                tuple(line["failed"]),
+                tuple(line["broken"]),
+            )
+
+    def add(self, row: Row) -> None:
+        """Append a row."""
+        self._append("row", asdict(row))
+
+    def _lines(self, kind: str) -> Iterator[dict[str, Any]]:
+        if not self._path.exists():
+            return
+        for text in self._path.read_text().splitlines():
+            try:
+                line = json.loads(text)
+            except ValueError:
+                continue  # a run was killed while it wrote this line
+            if line["grader"] == self._grader and line["kind"] == kind:
+                yield line
+
+    def _append(self, kind: str, told: dict[str, Any]) -> None:
+        text = json.dumps({"grader": self._grader, "kind": kind, **told})
+        with self._path.open("a") as file:
+            # The line break first: the last line may have been cut off.
+            file.write(f"\n{text}")
+
+
+def usual_ledger() -> Path:
+    """Where results are kept."""
+    return resources.private_cache("certify") / "rows.jsonl"
+
+
+def grader_digest() -> str:
+    """Digest of all that a verdict depends on: the grader, the exercise and the compiler."""
+    package = Path(resources.__file__).parent
+    folders = [package, resources.stub_folder(), resources.scenes_folder()]
+    files = [resources.reference_source(), *(file for each in folders for file in _files(each))]
+    digest = hashlib.sha256(find_compiler().title.encode())
+    for path in files:
+        digest.update(f"{path.name}\0".encode() + hashlib.sha256(path.read_bytes()).digest())
+    return digest.hexdigest()[:16]
+
+
+def _files(folder: Path) -> Iterator[Path]:
+    for path in sorted(folder.rglob("*")):
+        inside = path.relative_to(folder).parts
+        skipped = inside[0] in {*WITHOUT_VERDICT, "build", "data"}
+        if path.is_file() and path.suffix in _ENDINGS and not skipped:
+            yield path

@@ -1,0 +1,46 @@
+"""What does the grader say of one submission of the corpus with one seed?"""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from grader.certify.corpus import digest_of, name_of
+from grader.errors import GraderError
+from grader.model.grade import Grade
+from grader.model.verdict import Verdict
+from grader.pipeline import Options, grade_one
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """One submission, graded once."""
+
+    name: str
+    """Folder and file: `wrong/axis-always-x.cpp`."""
+
+    digest: str
+    """Start of the file's SHA-256: a row says nothing of a file that has changed."""
+
+    seed: int
+    scores: tuple[float, ...]
+    """Points of part a and part b."""
+
+    failed: tuple[str, ...]
+    """Checks that failed, in the order of the report."""
+
+    broken: tuple[str, ...] = ()
+    """What our own fault kept from being decided."""
+
+
+def graded_row(path: Path, seed: int) -> Row:
+    """Grade one submission of the corpus."""
+    named = (name_of(path), digest_of(path), seed)
+    try:
+        grade = grade_one(path, Options(seed, None, (), lambda *_: None))
+    except GraderError as fault:
+        return Row(*named, (), (), (str(fault).splitlines()[0],))
+    scores = tuple(part.score for part in grade.parts)
+    return Row(*named, scores, _with(grade, Verdict.FAIL), _with(grade, Verdict.BROKEN))
+
+
+def _with(grade: Grade, verdict: Verdict) -> tuple[str, ...]:
+    return tuple(one.check for one in grade.checks if one.verdict is verdict)

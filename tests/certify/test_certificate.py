@@ -1,0 +1,47 @@
+"""docs/certificate.md says what the stored matrix says, and the command judges it."""
+
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from grader import resources
+from grader.certify.certificate import certificate, certificate_file
+from grader.certify.corpus import wrong_submissions
+from grader.certify.matrix import line_of, row_of, stored_lines
+from grader.cli import cli
+
+STORED = stored_lines()
+
+
+def test_the_stored_certificate_is_of_the_stored_matrix() -> None:
+    """Otherwise `bvhgrade certify --stored` writes it anew."""
+    rows = [row_of(line) for line in STORED.values()]
+    assert certificate_file().read_text() == certificate(rows, wrong_submissions())
+
+
+def test_a_line_of_the_matrix_is_read_back() -> None:
+    """Nothing is lost between a row and its line."""
+    for line in STORED.values():
+        assert line_of(row_of(line)) == line
+
+
+def test_the_stored_matrix_has_no_hole() -> None:
+    """The command judges it without grading, and ends with 0."""
+    result = CliRunner().invoke(cli, ["certify", "--stored"])
+    assert result.exit_code == 0, result.output
+    assert "0 false accepts" in result.output
+
+
+def test_a_name_that_nothing_has() -> None:
+    """A misspelt name is wrong usage: grading nothing proves nothing."""
+    result = CliRunner().invoke(cli, ["certify", "--match", "no-such-file"])
+    assert result.exit_code == 2, result.output
+
+
+def test_a_wheel_says_what_is_missing(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """Without a checkout the command ends with one sentence."""
+    monkeypatch.setattr(resources, "stub_folder", lambda: tmp_path / "student_stub")
+    result = CliRunner().invoke(cli, ["certify", "--stored"])
+    assert result.exit_code == 2, result.output
+    assert "clone the project" in result.output
