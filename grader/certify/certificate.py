@@ -76,6 +76,6 @@ def _summary(rows: Sequence[Row], wrong: Sequence[Wrong]) -> str:
     full = sum(full_marks().values())
     lines = [f"| {kind.value} | {count} |\n" for kind, count in counts.items()]
     return (
-        f"\n{right} right submissions must earn {full:g} points, {len(wrong)} wrong ones less.\n"
+        f"\n{right} right files have to earn {full:g} points, {len(wrong)} wrong ones less.\n"
         f"\n| what could be wrong | found |\n|---|---:|\n{''.join(lines)}"
     )

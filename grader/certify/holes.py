@@ -109,4 +109,4 @@ def _named(row: Row) -> str:
 
 def _told(row: Row) -> str:
     scores = " + ".join(f"{score:g}" for score in row.scores)
-    return f"{scores} points, failed: {', '.join(row.failed) or 'nothing'}"
+    return f"{scores} points, failed: {', '.join(row.failed) or 'nothing'} {row.because}"

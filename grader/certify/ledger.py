@@ -7,12 +7,13 @@ was. A line belongs to one state of everything that a verdict depends on.
 import hashlib
 import json
 from collections.abc import Iterator
-from dataclasses import asdict
+from dataclasses import asdict, fields
 from pathlib import Path
 from typing import Any
 
 from grader import resources
 from grader.build.compiler import find_compiler
+from grader.certify.fates import Studied
 from grader.certify.row import Row
 
 WITHOUT_VERDICT = ("certify", "cli", "report", "__pycache__")
@@ -37,18 +38,25 @@ class Ledger:
     def rows(self) -> Iterator[Row]:
         """Every row that this grader wrote, oldest first."""
         for line in self._lines("row"):
-            yield Row(
-                line["name"],
-                line["digest"],
-                line["seed"],
-                tuple(line["scores"]),
-                tuple(line["failed"]),
-                tuple(line["broken"]),
+            scores, failed, broken = (
+                tuple(line[key]) for key in ("scores", "failed", "broken")
             )
+            named = (line["name"], line["digest"], line["seed"])
+            yield Row(*named, scores, failed, broken, line["because"])
 
     def add(self, row: Row) -> None:
         """Append a row."""
         self._append("row", asdict(row))
+
+    def studied(self) -> Iterator[Studied]:
+        """Every mutant whose fate with this grader is known, oldest first."""
+        names = [field.name for field in fields(Studied)]
+        for line in self._lines("mutant"):
+            yield Studied(**{name: line[name] for name in names})
+
+    def add_studied(self, one: Studied) -> None:
+        """Append what became of a mutant."""
+        self._append("mutant", asdict(one))
 
     def _lines(self, kind: str) -> Iterator[dict[str, Any]]:
         if not self._path.exists():
@@ -58,11 +66,11 @@ class Ledger:
                 line = json.loads(text)
             except ValueError:
                 continue  # a run was killed while it wrote this line
-            if line["grader"] == self._grader and line["kind"] == kind:
+            if line["grader"] == self._grader and line["entry"] == kind:
                 yield line
 
     def _append(self, kind: str, told: dict[str, Any]) -> None:
-        text = json.dumps({"grader": self._grader, "kind": kind, **told})
+        text = json.dumps({"grader": self._grader, "entry": kind, **told})
         with self._path.open("a") as file:
             # The line break first: the last line may have been cut off.
             file.write(f"\n{text}")

@@ -1,6 +1,6 @@
 """What does the grader say of one submission of the corpus with one seed?"""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from grader.certify.corpus import digest_of, name_of
@@ -8,6 +8,9 @@ from grader.errors import GraderError
 from grader.model.grade import Grade
 from grader.model.verdict import Verdict
 from grader.pipeline import Options, grade_one
+
+LONGEST = 300
+"""Characters of a message that are kept."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,6 +33,9 @@ class Row:
     broken: tuple[str, ...] = ()
     """What our own fault kept from being decided."""
 
+    because: str = field(default="", compare=False)
+    """What the first failed check says."""
+
 
 def graded_row(path: Path, seed: int) -> Row:
     """Grade one submission of the corpus."""
@@ -39,7 +45,9 @@ def graded_row(path: Path, seed: int) -> Row:
     except GraderError as fault:
         return Row(*named, (), (), (str(fault).splitlines()[0],))
     scores = tuple(part.score for part in grade.parts)
-    return Row(*named, scores, _with(grade, Verdict.FAIL), _with(grade, Verdict.BROKEN))
+    failed, broken = _with(grade, Verdict.FAIL), _with(grade, Verdict.BROKEN)
+    because = next((one.message for one in grade.checks if one.verdict is Verdict.FAIL), "")
+    return Row(*named, scores, failed, broken, because[:LONGEST])
 
 
 def _with(grade: Grade, verdict: Verdict) -> tuple[str, ...]:

@@ -5,10 +5,16 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any, TypeVar
 
 from grader.certify.corpus import digest_of, name_of
+from grader.certify.fates import Studied
 from grader.certify.ledger import Ledger
+from grader.certify.mutants import Mutant
 from grader.certify.row import Row, graded_row
+from grader.certify.study import study_or_none
+
+T = TypeVar("T")
 
 ATTEMPTS = 3
 """A machine that is too busy decides nothing; the later attempts run one at a time."""
@@ -25,6 +31,17 @@ class Work:
     """Grade also what the ledger knows, to compare two runs."""
 
 
+@dataclass(frozen=True, slots=True)
+class MutantWork:
+    """What is to be studied."""
+
+    mutants: Sequence[Mutant]
+    seed: int
+    """What they are graded with."""
+
+    jobs: int
+
+
 def certified_rows(work: Work, ledger: Ledger, tell: Callable[[Row], None]) -> list[Row]:
     """Grade what is missing in the ledger, and return every row of this work.
 
@@ -36,7 +53,7 @@ def certified_rows(work: Work, ledger: Ledger, tell: Callable[[Row], None]) -> l
     orders = [(path, seed) for seed in work.seeds for path in work.paths]
     waiting = orders if work.again else _undecided(orders, ledger)
     for attempt in range(ATTEMPTS):
-        for row in _graded(waiting, 1 if attempt else work.jobs):
+        for row in _mapped(graded_row, waiting, 1 if attempt else work.jobs):
             ledger.add(row)
             tell(row)
         waiting = _undecided(waiting, ledger)
@@ -46,13 +63,35 @@ def certified_rows(work: Work, ledger: Ledger, tell: Callable[[Row], None]) -> l
     return [row for row in ledger.rows() if (row.name, row.digest, row.seed) in wanted]
 
 
-def _graded(orders: Sequence[tuple[Path, int]], jobs: int) -> Iterator[Row]:
+def studied_mutants(
+    work: MutantWork, ledger: Ledger, tell: Callable[[Studied], None]
+) -> list[Studied]:
+    """Study the mutants that are missing in the ledger, and return all of this work."""
+    wanted = {mutant.digest for mutant in work.mutants}
+
+    def known() -> dict[str, Studied]:
+        every = (one for one in ledger.studied() if one.seed == work.seed)
+        return {one.digest: one for one in every if one.digest in wanted}
+
+    done = known()
+    waiting = [(one, work.seed) for one in work.mutants if one.digest not in done]
+    for studied in _mapped(study_or_none, waiting, work.jobs):
+        if studied:
+            ledger.add_studied(studied)
+            tell(studied)
+    done = known()
+    return [done[mutant.digest] for mutant in work.mutants if mutant.digest in done]
+
+
+def _mapped(
+    task: Callable[..., T], orders: Sequence[tuple[Any, int]], jobs: int
+) -> Iterator[T]:
+    """Call a task with each order, in processes of ours: grading keeps Python busy."""
     if not orders:
         return
-    # Processes of ours: grading keeps more than one thread of Python busy.
     with ProcessPoolExecutor(min(jobs, len(orders)), initializer=_let_the_parent_stop) as pool:
         try:
-            yield from pool.map(graded_row, *zip(*orders, strict=True))
+            yield from pool.map(task, *zip(*orders, strict=True))
         except BaseException:
             pool.shutdown(wait=False, cancel_futures=True)
             raise

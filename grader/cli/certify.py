@@ -33,6 +33,15 @@ if TYPE_CHECKING:
 @click.option("--jobs", type=click.IntRange(1, 256), default=2, show_default=True, metavar="N")
 @click.option("--again", is_flag=True, help="Grade what is stored too, and compare.")
 @click.option("--stored", is_flag=True, help="Grade nothing; judge the stored kill matrix.")
+@click.option(
+    "--mutants",
+    type=click.IntRange(1),
+    metavar="N",
+    help="Study N small edits of right submissions instead of the corpus.",
+)
+@click.option(
+    "--seed", type=int, default=1, show_default=True, help="What those N are drawn with."
+)
 def certify(match: str, stored: bool, **given: Any) -> None:  # noqa: ANN401 - click's own
     """Grade every right and wrong submission of a checkout.
 
@@ -42,9 +51,12 @@ def certify(match: str, stored: bool, **given: Any) -> None:  # noqa: ANN401 - c
 
     Exit status: 0 nothing speaks against the grader, 1 there is a hole.
     """
+    if given["mutants"]:
+        from grader.cli.mutants import study
+
+        raise Exit(LOST_POINTS if study(match, **given) else FULL_MARKS)
     from grader.certify.corpus import name_of, right_submissions, wrong_submissions
     from grader.certify.matrix import SEED, row_of, stored_lines
-    from grader.certify.run import Work
 
     wrong = wrong_submissions()
     every = [*right_submissions(), *(one.path for one in wrong)]
@@ -55,6 +67,8 @@ def certify(match: str, stored: bool, **given: Any) -> None:  # noqa: ANN401 - c
         names = {name_of(path) for path in paths}
         rows = [row_of(line) for name, line in stored_lines().items() if name in names]
     else:
+        from grader.certify.run import Work
+
         seeds = range(SEED, SEED + given["seeds"])
         rows = graded_rows(Work(paths, seeds, given["jobs"], given["again"]))
         print_matrix(rows)
@@ -117,7 +131,8 @@ def print_holes(rows: "Sequence[Row]", wrong: "Sequence[Wrong]", whole: bool) ->
         found += without_killer(rows, wrong)
     for kind in Kind:
         mine = [hole.sentence for hole in found if hole.kind is kind]
-        click.echo(f"\n{len(mine)} {kind.value}" + "".join(f"\n  {each}" for each in mine))
+        click.echo(f"\n{len(mine)} {kind.value}")
+        click.echo("".join(f"  {line_for_terminal(each)}\n" for each in mine), nl=False)
     luck = differing_seeds(rows)
     click.echo(f"\n{len(luck)} fail other checks with another seed (no hole)")
     click.echo("".join(f"  {name}\n" for name in luck), nl=False)

@@ -1,0 +1,112 @@
+"""What became of the mutants: how many were caught, and which were not?"""
+
+import csv
+import tomllib
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from enum import Enum
+from pathlib import Path
+
+from grader.certify.corpus import corpus_folder
+
+
+class Fate(Enum):
+    """What became of a mutant."""
+
+    INVALID = "invalid"
+    """It does not compile."""
+
+    SAME_CODE = "same code"
+    """The compiler makes the same machine code of it: it is no other program."""
+
+    CAUGHT = "caught"
+    """It loses points."""
+
+    SAME_RESULTS = "same results"
+    """It keeps all points, and returns what the original returns, bit by bit and count by
+    count, in every trial of seeds that it was not graded with."""
+
+    SURVIVED = "survived"
+    """It keeps all points, and returns something else than the original somewhere."""
+
+
+@dataclass(frozen=True, slots=True)
+class Studied:
+    """A mutant that was looked at, as the ledger keeps it."""
+
+    digest: str
+    seed: int
+    """The seed that it was graded with."""
+
+    original: str
+    kind: str
+    line: int
+    change: str
+    fate: str
+    by: str
+    """Of CAUGHT what saw it first, of SURVIVED the trial that shows a difference."""
+
+
+COLUMNS = ("original", *(fate.value for fate in Fate), "explained")
+"""Of the stored counts; `explained` are survivors that are known to be right, and why."""
+
+Counts = dict[str, int]
+
+
+def counts_file() -> Path:
+    """Where the counts of the last whole run are stored."""
+    return corpus_folder() / "mutants.csv"
+
+
+def explained_changes() -> dict[tuple[str, str], str]:
+    """Read `equivalents.toml`: of an original and a change, why the mutant is right."""
+    text = (corpus_folder() / "equivalents.toml").read_text()
+    return {
+        (entry["original"], change): entry["why"]
+        for entry in tomllib.loads(text)["equivalent"]
+        for change in entry["changes"]
+    }
+
+
+def survivors(found: Iterable[Studied]) -> list[Studied]:
+    """Mutants that keep all points, are another program, and that nobody has explained."""
+    kept = {Fate.SURVIVED.value, Fate.SAME_RESULTS.value}
+    known = explained_changes()
+    return [
+        one for one in found if one.fate in kept and (one.original, one.change) not in known
+    ]
+
+
+def counts_of(found: Sequence[Studied]) -> dict[str, Counts]:
+    """Count the fates of the mutants of each original; explained ones only as such."""
+    known = explained_changes()
+    counts: dict[str, Counts] = {}
+    for one in found:
+        line = counts.setdefault(one.original, dict.fromkeys(COLUMNS[1:], 0))
+        kept = one.fate in {Fate.SURVIVED.value, Fate.SAME_RESULTS.value}
+        line["explained" if kept and (one.original, one.change) in known else one.fate] += 1
+    return counts
+
+
+def share_caught(counts: Iterable[Counts]) -> float:
+    """The share of the mutants that are other programs, and not known to be right."""
+    caught = kept = 0
+    for line in counts:
+        caught += line[Fate.CAUGHT.value]
+        kept += line[Fate.SURVIVED.value]
+    return caught / max(1, caught + kept)
+
+
+def store_counts(counts: dict[str, Counts]) -> None:
+    """Write the counts of a whole run."""
+    with counts_file().open("w", newline="") as file:
+        writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows({"original": name, **line} for name, line in sorted(counts.items()))
+
+
+def stored_counts() -> dict[str, Counts]:
+    """Read the counts of the last whole run."""
+    with counts_file().open(newline="") as file:
+        lines = list(csv.DictReader(file))
+    return {line["original"]: {name: int(line[name]) for name in COLUMNS[1:]} for line in lines}
