@@ -83,8 +83,9 @@ def _constant(node: Node) -> Iterator[Edit]:
     """One more, one less, twice as much, or nothing."""
     if node.type == "number_literal":
         text = node.text or b""
-        others = [b"(%s + 1)" % text, b"(%s - 1)" % text]
-        others += [] if text == b"0" else [b"(%s * 2)" % text, b"0"]
+        others = [b"(%s + 1)" % text, b"(%s - 1)" % text, b"(%s * 2)" % text, b"0"]
+        # Of 0 and 1 some of these are the same number, and twice 0 is no edit.
+        others = others[: {b"0": 2, b"1": 2}.get(text, 4)]
         for other in others:
             yield _instead("constant", node, other)
 

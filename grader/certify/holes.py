@@ -4,6 +4,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from enum import Enum
+from functools import cache
 
 from grader.certify.corpus import Wrong, name_of
 from grader.certify.row import Row
@@ -89,6 +90,7 @@ def _against(row: Row, promise: Wrong | None) -> Iterator[Hole]:
         yield Hole(Kind.LEAK, f"{_named(row)}: part {kept} has {scores[kept]:g}; {_told(row)}")
 
 
+@cache
 def full_marks() -> dict[str, float]:
     """Points of each part."""
     criteria = load_rubric(None).criteria

@@ -1,11 +1,8 @@
 """How are many rows graded, some at a time, so that a killed run can go on?"""
 
-import signal
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, TypeVar
 
 from grader.certify.corpus import digest_of, name_of
 from grader.certify.fates import Studied
@@ -13,8 +10,7 @@ from grader.certify.ledger import Ledger
 from grader.certify.mutants import Mutant
 from grader.certify.row import Row, graded_row
 from grader.certify.study import study_or_none
-
-T = TypeVar("T")
+from grader.sandbox.crew import mapped
 
 ATTEMPTS = 3
 """A machine that is too busy decides nothing; the later attempts run one at a time."""
@@ -53,7 +49,7 @@ def certified_rows(work: Work, ledger: Ledger, tell: Callable[[Row], None]) -> l
     orders = [(path, seed) for seed in work.seeds for path in work.paths]
     waiting = orders if work.again else _undecided(orders, ledger)
     for attempt in range(ATTEMPTS):
-        for row in _mapped(graded_row, waiting, 1 if attempt else work.jobs):
+        for row in mapped(graded_row, waiting, 1 if attempt else work.jobs):
             ledger.add(row)
             tell(row)
         waiting = _undecided(waiting, ledger)
@@ -75,30 +71,12 @@ def studied_mutants(
 
     done = known()
     waiting = [(one, work.seed) for one in work.mutants if one.digest not in done]
-    for studied in _mapped(study_or_none, waiting, work.jobs):
+    for studied in mapped(study_or_none, waiting, work.jobs):
         if studied:
             ledger.add_studied(studied)
             tell(studied)
     done = known()
     return [done[mutant.digest] for mutant in work.mutants if mutant.digest in done]
-
-
-def _mapped(
-    task: Callable[..., T], orders: Sequence[tuple[Any, int]], jobs: int
-) -> Iterator[T]:
-    """Call a task with each order, in processes of ours: grading keeps Python busy."""
-    if not orders:
-        return
-    with ProcessPoolExecutor(min(jobs, len(orders)), initializer=_let_the_parent_stop) as pool:
-        try:
-            yield from pool.map(task, *zip(*orders, strict=True))
-        except BaseException:
-            pool.shutdown(wait=False, cancel_futures=True)
-            raise
-
-
-def _let_the_parent_stop() -> None:
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
 def _undecided(orders: Iterable[tuple[Path, int]], ledger: Ledger) -> list[tuple[Path, int]]:

@@ -20,6 +20,7 @@ from grader.build.compiler import find_compiler
 from grader.build.workspace import GRADED, workspace
 from grader.certify.fates import Fate, Studied
 from grader.certify.mutants import Mutant, originals
+from grader.certify.row import LONGEST
 from grader.errors import GraderError
 from grader.model.cases import Case, MemoryCase, SurvivalCase, WorkCase
 from grader.model.stages import Stop, Submission
@@ -177,14 +178,14 @@ def _reference_seconds(seed: int) -> dict[str, float]:
 
 
 def _other_loss(mutant: Mutant, seed: int, folder: Path) -> str:
-    """Grade what no trial of the graded library tells: the checks that fail, or nothing."""
+    """Grade what no trial of the graded library tells; what is lost first, or nothing."""
     path = folder / "exercise03.cpp"
     path.write_bytes(mutant.source)
     for _ in range(ATTEMPTS):
         grade = grade_one(path, Options(seed, None, REST, lambda *_: None))
         if not grade.needs_review:
-            failed = [one.check for one in grade.checks if one.score < one.max_score]
-            return ", ".join(failed)
+            lost = (one for one in grade.checks if one.score < one.max_score)
+            return next((f"{one.check}, {one.message[:LONGEST]}" for one in lost), "")
     raise GraderError("the machine is too busy to grade a mutant; try again later")
 
 

@@ -27,7 +27,6 @@ def told(fate: Fate, change: str = "a -> b") -> Studied:
     ("change", "fate", "by"),
     [
         ("-> faces.push_front(", Fate.INVALID, ""),
-        ("-> faces.reserve(mesh.getFaces().capacity());", Fate.SAME_CODE, ""),
         ("-> if (all.size() < numFacesPerLeaf ", Fate.CAUGHT, "bvh.leaves-hold-at-most-four"),
         ("-> rest.t_min = hit.t;", Fate.CAUGHT, "hits.closest-wins"),
     ],
