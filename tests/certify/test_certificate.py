@@ -6,6 +6,7 @@ import pytest
 from click.testing import CliRunner
 
 from grader import resources
+from grader.certify import certificate as written
 from grader.certify.certificate import certificate, certificate_file
 from grader.certify.corpus import wrong_submissions
 from grader.certify.matrix import line_of, row_of, stored_lines
@@ -26,11 +27,13 @@ def test_a_line_of_the_matrix_is_read_back() -> None:
         assert line_of(row_of(line)) == line
 
 
-def test_the_stored_matrix_has_no_hole() -> None:
-    """The command judges it without grading, and ends with 0."""
+def test_the_stored_matrix_has_no_hole(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """The command judges it without grading, writes the certificate, and ends with 0."""
+    monkeypatch.setattr(written, "certificate_file", lambda: tmp_path / "certificate.md")
     result = CliRunner().invoke(cli, ["certify", "--stored"])
     assert result.exit_code == 0, result.output
     assert "0 false accepts" in result.output
+    assert (tmp_path / "certificate.md").read_text() == certificate_file().read_text()
 
 
 def test_a_name_that_nothing_has() -> None:
