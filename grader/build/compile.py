@@ -14,6 +14,7 @@ from grader.build.workspace import GRADED, SANITIZED, Workspace, with_real_depth
 from grader.errors import BuildFault
 from grader.model.grade import CompileLimits
 from grader.model.stages import Build, CallGraph, Diagnostic, Submission
+from grader.resources import reference_source
 from grader.sandbox.box import Bounds, Box, Isolation
 from grader.sandbox.confine import Target, confined
 from grader.sandbox.launch import Outcome
@@ -74,6 +75,7 @@ def compile_submission(submission: Submission, order: Compilation) -> Build:
         compiled = linked.library is not None
         if not compiled:
             pool.shutdown(wait=False, cancel_futures=True)
+            _blame(linked, frameworks[0], work)
     return Build(
         library=linked.library,
         # A file may insist on the real depth limit, by static_assert.
@@ -85,6 +87,22 @@ def compile_submission(submission: Submission, order: Compilation) -> Build:
         flags=_flags(frameworks[0]),
         seconds=time.monotonic() - started,
     )
+
+
+def _blame(failed: _Linked, framework: Workspace, work: Compilation) -> None:
+    """Make sure that it is the submission that fails, where no line of it is named.
+
+    Raises:
+        BuildFault: Our own solution does not compile now either: a full disk, or no process left.
+    """
+    if any(message.line for message in failed.diagnostics if message.severity == "error"):
+        return
+    own = Submission("reference", SOURCE_NAME, reference_source().read_bytes(), "")
+    aside = prepared(own, replace(work, folder=work.folder / "control"))
+    control = _link(framework, aside, GRADED.name)
+    if control.library is None:
+        words = "; ".join(message.text for message in control.diagnostics[:3])
+        raise BuildFault(f"the compiler does not get through our own solution either: {words}")
 
 
 def prepared(submission: Submission, work: Compilation) -> Compilation:
@@ -185,9 +203,8 @@ def _made(
         environment={"TMPDIR": str(own)},
     )
     outcome = confined(target, box, staged(), work.isolation)
-    # Who got the time of one process, or half of what the clock gave, had enough of it.
-    enough = min(limits.seconds, limits.wall_seconds / 2)
-    if outcome.timed_out and outcome.seconds - outcome.delayed_seconds < enough:
+    # A compiler never sleeps: one that the clock ends has computed, or stood in line.
+    if outcome.timed_out and outcome.cpu_seconds < min(limits.seconds, limits.wall_seconds / 2):
         message = (
             "compiling stood in line for a processor for too long; grade it again when the "
             "machine is less busy"

@@ -79,9 +79,10 @@ def run_job(job: Job, engine: Engine, allowed: Allowance) -> tuple[Ending, Resul
         MissingTool: The interpreter cannot be started.
     """
     entry = staged(MODULES)
-    environment = {}
+    # Else each thread on a machine of many cores reserves memory that the limit counts.
+    environment = {"MALLOC_ARENA_MAX": "4"}
     if engine.preload:
-        environment = {"LD_PRELOAD": engine.preload, **SANITIZER_ENVIRONMENT}
+        environment |= {"LD_PRELOAD": engine.preload, **SANITIZER_ENVIRONMENT}
     with job.files() as (given, result_file):
         target = Target(
             program="worker",

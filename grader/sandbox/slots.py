@@ -2,13 +2,19 @@
 
 One user for each process that runs at the same time, so that none can signal another and the
 kernel counts each one's threads alone. A lock on a file of ours keeps a number for one process
-of one grader; it ends with the descriptor, however the grader ends.
+of one grader; it ends with the descriptor, however the grader ends. The file is empty if it
+ended well. If it did not, processes of that user may have outlived it: without namespaces a
+compiler's children do. They would count against whoever gets the number next, so they are
+killed first.
 """
 
 import fcntl
 import os
+import re
+import signal
+import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from grader.errors import WorkerFault
@@ -19,6 +25,10 @@ FIRST_UID = 60800
 
 SLOTS = 256
 FOLDER = Path("/run/bvhgrade")
+PATIENCE_SECONDS = 2.0
+"""How long killed processes may take to be gone; after that another number is taken."""
+
+_UID = re.compile(r"^Uid:\t(\d+)", re.MULTILINE)
 
 
 @contextmanager
@@ -33,7 +43,9 @@ def own_user() -> Iterator[int]:
         return
     slot, lock = _free_slot()
     try:
+        os.pwrite(lock, b"in use", 0)
         yield FIRST_UID + slot
+        os.ftruncate(lock, 0)
     finally:
         os.close(lock)
 
@@ -48,9 +60,47 @@ def _free_slot() -> tuple[int, int]:
             except BlockingIOError:
                 os.close(lock)
                 continue
-            return slot, lock
+            if os.fstat(lock).st_size == 0 or _ended(FIRST_UID + slot):
+                return slot, lock
+            os.close(lock)
     except OSError as fault:
         message = f"{FOLDER}: {fault.strerror}, but the users of submissions are kept there"
         raise WorkerFault(message) from fault
     message = f"all {SLOTS} users for submissions are in use; grade fewer at a time"
     raise WorkerFault(message)
+
+
+def _ended(uid: int) -> bool:
+    """End every process of a user; tells whether none is left."""
+    deadline = time.monotonic() + PATIENCE_SECONDS
+    while left := [pid for pid in _numbers() if _user_of(pid) == uid]:
+        if time.monotonic() > deadline:
+            return False
+        for pid in left:
+            _kill(pid, uid)
+        time.sleep(0.01)
+    return True
+
+
+def _numbers() -> list[int]:
+    return [int(entry.name) for entry in os.scandir("/proc") if entry.name.isdecimal()]
+
+
+def _user_of(pid: int) -> int:
+    """Real user id of a process; -1 if it is gone."""
+    try:
+        found = _UID.search(Path(f"/proc/{pid}/status").read_text(errors="replace"))
+    except OSError:
+        return -1
+    return int(found[1]) if found else -1
+
+
+def _kill(pid: int, uid: int) -> None:
+    with suppress(ProcessLookupError):
+        handle = os.pidfd_open(pid)
+        try:
+            # The number may have become a stranger's since it was read.
+            if _user_of(pid) == uid:
+                signal.pidfd_send_signal(handle, signal.SIGKILL)
+        finally:
+            os.close(handle)

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from functools import cache as once
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -16,6 +17,7 @@ from grader.run.job import Job
 from grader.run.protocol import Op
 from grader.run.session import run_job
 from grader.run.transfer import give_mesh
+from grader.sandbox.confine import Target, confined
 from grader.sandbox.launch import Outcome
 from grader.verify.source import construct_loops
 from tests.compiled import (
@@ -272,16 +274,31 @@ Intersection intersect(const Mesh& mesh, const IntersectionRay&) {
     assert construct_loops.decide(SourceCase("source", build.calls)).wrong == 0
 
 
-@pytest.mark.parametrize(("delayed", "ours"), [(0.0, False), (20.0, False), (40.0, True)])
+@pytest.mark.parametrize(("used", "ours"), [(59.0, False), (31.0, False), (29.0, True)])
 def test_a_compiler_that_stood_in_line_is_no_fault_of_the_submission(
-    cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, delayed: float, ours: bool
+    cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, used: float, ours: bool
 ) -> None:
-    """Of 60 s by the clock it had more than its 30 s of computing, or it had not."""
-    late = Outcome(-9, True, b"", b"", 60.0, 0.0, delayed)
-    monkeypatch.setattr(compile, "confined", lambda *_: late)
+    """Of 60 s by the clock it computed for its 30 s, or it could not."""
+
+    def late(target: Target, *others: Any) -> Outcome:  # noqa: ANN401 - passes through
+        if "control" in str(target.folder):
+            return confined(target, *others)
+        return Outcome(-9, True, b"", b"", 60.0, used)
+
+    monkeypatch.setattr(compile, "confined", late)
     if ours:
         with pytest.raises(BuildFault, match="stood in line for a processor"):
             whole_build(BEGIN, tmp_path)
     else:
         (error, *_) = errors(whole_build(BEGIN, tmp_path))
         assert error.text == "compiling took longer than 60 s"
+
+
+def test_a_machine_that_compiles_nothing_is_no_fault_of_the_submission(
+    cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """No line of the file is named, and our own solution fails in the same way."""
+    full = Outcome(1, False, b"", b"as: No space left on device\n", 0.1, 0.1)
+    monkeypatch.setattr(compile, "confined", lambda *_: full)
+    with pytest.raises(BuildFault, match="our own solution either: compiling ended with"):
+        whole_build(STARTER.read_text(), tmp_path)

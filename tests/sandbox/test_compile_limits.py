@@ -11,7 +11,6 @@ from grader.build.compiler import find_compiler
 from grader.build.workspace import GRADED, workspace
 from grader.model.grade import CompileLimits
 from grader.model.stages import Diagnostic
-from grader.sandbox import launch
 from grader.sandbox.box import Isolation, Level
 from grader.sandbox.streams import DROPPED
 from tests.compiled import BEGIN, CONSTRUCT, INTERSECT, submission_of
@@ -65,11 +64,10 @@ def test_computing_time(compiled: Compiled) -> None:
     assert (done, messages[-1]) == (False, "compiling took more than 1 s of computing time")
 
 
-def test_wall_time(compiled: Compiled, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Also when each process is within its own limit; here nothing stands in line."""
-    monkeypatch.setattr(launch, "seconds_in_line", lambda _: 0.0)
-    done, messages = compiled(PLAIN + ENDLESS, wall_seconds=2)
-    assert (done, messages) == (False, ["compiling took longer than 2 s"])
+def test_wall_time(compiled: Compiled) -> None:
+    """Also when each process is within its own limit."""
+    done, messages = compiled(PLAIN + ENDLESS, wall_seconds=4)
+    assert (done, messages) == (False, ["compiling took longer than 4 s"])
 
 
 def test_memory(compiled: Compiled) -> None:

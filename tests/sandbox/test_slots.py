@@ -1,17 +1,27 @@
 """Each box has a user of its own, as long as there are any."""
 
+import os
+import signal
+import subprocess
+import threading
 from pathlib import Path
 
 import pytest
 
 from grader.errors import WorkerFault
 from grader.sandbox import slots
-from grader.sandbox.slots import own_user
+from grader.sandbox.slots import SLOTS, own_user
+
+UID = slots.FIRST_UID + SLOTS
+"""Just beyond the users of submissions."""
 
 
 @pytest.mark.parametrize("fault", [None, RuntimeError])
-def test_slots_are_given_back(fault: type[Exception] | None) -> None:
+def test_slots_are_given_back(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, fault: type[Exception] | None
+) -> None:
     """Also after a fault, and no lock stays open."""
+    monkeypatch.setattr(slots, "FOLDER", tmp_path)
     before = len(list(Path("/proc/self/fd").iterdir()))
     users = []
     for _ in range(3):
@@ -39,3 +49,39 @@ def test_too_many_graders_are_told(monkeypatch: pytest.MonkeyPatch, tmp_path: Pa
     monkeypatch.setattr(slots, "FOLDER", tmp_path / "no" / "such")
     with pytest.raises(WorkerFault, match="No such file"), own_user():
         pass
+
+
+def test_what_outlived_a_killed_grader_is_ended(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """Its lock file is not empty: a process of that user would count against the next one."""
+    monkeypatch.setattr(slots, "is_root", lambda: True)
+    monkeypatch.setattr(slots, "FOLDER", tmp_path)
+    # A user of its own, or our own process would be ended too.
+    orphan = subprocess.Popen(["sleep", "600"], user=UID if os.geteuid() == 0 else None)
+    monkeypatch.setattr(slots, "_numbers", lambda: [orphan.pid])
+    monkeypatch.setattr(slots, "FIRST_UID", UID if os.geteuid() == 0 else os.geteuid())
+    with own_user():
+        assert (tmp_path / "0").read_bytes() == b"in use"
+        assert orphan.poll() is None
+    assert (tmp_path / "0").read_bytes() == b""
+    (tmp_path / "0").write_bytes(b"in use")
+    threading.Thread(target=orphan.wait).start()
+    with own_user():
+        assert orphan.wait() == -signal.SIGKILL
+
+
+def test_a_user_whose_processes_stay_is_passed_over(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """Whatever cannot be killed keeps its number; the next one is taken."""
+    monkeypatch.setattr(slots, "is_root", lambda: True)
+    monkeypatch.setattr(slots, "FOLDER", tmp_path)
+    monkeypatch.setattr(slots, "PATIENCE_SECONDS", 0.05)
+    monkeypatch.setattr(slots, "_numbers", lambda: [os.getpid()])
+    monkeypatch.setattr(slots, "_user_of", lambda _: slots.FIRST_UID)
+    monkeypatch.setattr(slots, "_kill", lambda *_: None)
+    (tmp_path / "0").write_bytes(b"in use")
+    with own_user() as user:
+        assert user == slots.FIRST_UID + 1
+    assert (tmp_path / "0").read_bytes() == b"in use"
