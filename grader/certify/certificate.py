@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from grader.certify.corpus import Wrong, checkout, name_of
+from grader.certify.fates import FATES, Counts, share_caught, stored_counts
 from grader.certify.holes import Kind, full_marks, holes, without_killer
 from grader.certify.row import Row
 from grader.score.rubric import load_rubric
@@ -24,6 +25,22 @@ KILLERS = """
 
 | check | fails | owns | alone | for example |
 |---|---:|---:|---:|---|
+"""
+
+MUTANTS = """
+## Generated mutants
+
+Small edits of right submissions (`bvhgrade certify --mutants N`): operators, constants, names,
+conditions, order, dropped statements, exchanged arguments.
+
+- *Invalid*: it does not compile.
+- *Same code*: the compiler makes the original's machine code of it.
+- *Caught*: it loses points.
+- *Same results*: it keeps all points, and returns what the original returns, bit by bit and
+  count by count, in every trial of a seed that did not grade it.
+- *Survived*: it keeps all points and returns something else.
+- *Explained*: one of the last two that is right; `tests/submissions/equivalents.toml` says why.
+
 """
 
 
@@ -51,7 +68,8 @@ def certificate_file() -> Path:
 
 def certificate(rows: Sequence[Row], wrong: Sequence[Wrong]) -> str:
     """Word what the rows of the stored matrix say."""
-    return BEGIN + _summary(rows, wrong) + KILLERS + "".join(kill_lines(rows, wrong))
+    corpus = _summary(rows, wrong) + KILLERS + "".join(kill_lines(rows, wrong))
+    return BEGIN + corpus + MUTANTS + "".join(mutant_lines(stored_counts()))
 
 
 def kill_lines(rows: Iterable[Row], wrong: Iterable[Wrong]) -> list[str]:
@@ -67,6 +85,16 @@ def kill_lines(rows: Iterable[Row], wrong: Iterable[Wrong]) -> list[str]:
         ).line()
         for check in (one.check for one in load_rubric(None).criteria)
     ]
+
+
+def mutant_lines(counts: dict[str, Counts]) -> list[str]:
+    """Word the table of the mutants, and the share that is caught."""
+    total = {fate: sum(line[fate] for line in counts.values()) for fate in FATES}
+    lines = [f"| original | {' | '.join(FATES)} |\n", "|---" + "|---:" * len(FATES) + "|\n"]
+    for name, line in (*sorted(counts.items()), ("all", total)):
+        lines.append(f"| {name} | {' | '.join(str(line[fate]) for fate in FATES)} |\n")
+    told = f"{100 * share_caught([total]):.1f} % of all that are caught or survived are caught."
+    return [*lines, f"\n{told}\n"]
 
 
 def _summary(rows: Sequence[Row], wrong: Sequence[Wrong]) -> str:

@@ -47,14 +47,16 @@ class Studied:
     """Of CAUGHT what saw it first, of SURVIVED the trial that shows a difference."""
 
 
-COLUMNS = ("original", *(fate.value for fate in Fate), "explained")
-"""Of the stored counts; `explained` are survivors that are known to be right, and why."""
+EXPLAINED = "explained"
+"""A survivor that is known to be right, and why."""
+
+FATES = (*(fate.value for fate in Fate), EXPLAINED)
 
 Counts = dict[str, int]
 
 
 def counts_file() -> Path:
-    """Where the counts of the last whole run are stored."""
+    """Where the counts are stored."""
     return corpus_folder() / "mutants.csv"
 
 
@@ -82,9 +84,9 @@ def counts_of(found: Sequence[Studied]) -> dict[str, Counts]:
     known = explained_changes()
     counts: dict[str, Counts] = {}
     for one in found:
-        line = counts.setdefault(one.original, dict.fromkeys(COLUMNS[1:], 0))
+        line = counts.setdefault(one.original, dict.fromkeys(FATES, 0))
         kept = one.fate in {Fate.SURVIVED.value, Fate.SAME_RESULTS.value}
-        line["explained" if kept and (one.original, one.change) in known else one.fate] += 1
+        line[EXPLAINED if kept and (one.original, one.change) in known else one.fate] += 1
     return counts
 
 
@@ -98,15 +100,18 @@ def share_caught(counts: Iterable[Counts]) -> float:
 
 
 def store_counts(counts: dict[str, Counts]) -> None:
-    """Write the counts of a whole run."""
+    """Write the counts of these originals, and keep those of others."""
+    lines = stored_counts() | counts
     with counts_file().open("w", newline="") as file:
-        writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
+        writer = csv.DictWriter(file, ("original", *FATES), lineterminator="\n")
         writer.writeheader()
-        writer.writerows({"original": name, **line} for name, line in sorted(counts.items()))
+        writer.writerows({"original": name, **line} for name, line in sorted(lines.items()))
 
 
 def stored_counts() -> dict[str, Counts]:
-    """Read the counts of the last whole run."""
+    """Read the counts of the last run of each original."""
+    if not counts_file().exists():
+        return {}
     with counts_file().open(newline="") as file:
         lines = list(csv.DictReader(file))
-    return {line["original"]: {name: int(line[name]) for name in COLUMNS[1:]} for line in lines}
+    return {line["original"]: {fate: int(line[fate]) for fate in FATES} for line in lines}

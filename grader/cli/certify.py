@@ -51,15 +51,17 @@ def certify(match: str, stored: bool, **given: Any) -> None:  # noqa: ANN401 - c
 
     Exit status: 0 nothing speaks against the grader, 1 there is a hole.
     """
-    if given["mutants"]:
-        from grader.cli.mutants import study
-
-        raise Exit(LOST_POINTS if study(match, **given) else FULL_MARKS)
     from grader.certify.corpus import name_of, right_submissions, wrong_submissions
     from grader.certify.matrix import SEED, row_of, stored_lines
 
     wrong = wrong_submissions()
     every = [*right_submissions(), *(one.path for one in wrong)]
+    if given["mutants"]:
+        from grader.cli.mutants import study
+
+        hole = study(match, **given)
+        write_certificate(wrong)
+        raise Exit(LOST_POINTS if hole else FULL_MARKS)
     paths = [path for path in every if match in name_of(path)]
     if not paths:
         raise UsageError(f"--match {match}: no submission of the corpus has such a name")

@@ -13,7 +13,8 @@ if TYPE_CHECKING:
 
 
 def study(match: str, mutants: int, seed: int, jobs: int, **_: Any) -> bool:  # noqa: ANN401 - the other options
-    """Study mutants and tell what became of them; True if one survived unexplained."""
+    """Study mutants, store and tell what became of them; True if one survived unexplained."""
+    from grader.certify.fates import counts_of, store_counts
     from grader.certify.ledger import Ledger, grader_digest, usual_ledger
     from grader.certify.matrix import SEED
     from grader.certify.mutants import chosen_mutants
@@ -24,6 +25,7 @@ def study(match: str, mutants: int, seed: int, jobs: int, **_: Any) -> bool:  # 
         raise UsageError(f"--match {match}: mutants are made of no such submission")
     ledger = Ledger(usual_ledger(), grader_digest())
     found = studied_mutants(MutantWork(chosen, SEED, jobs), ledger, tell)
+    store_counts(counts_of(found))
     return tell_all(found, len(chosen))
 
 

@@ -7,8 +7,9 @@ from click.testing import CliRunner
 
 from grader import resources
 from grader.certify import certificate as written
-from grader.certify.certificate import certificate, certificate_file
+from grader.certify.certificate import certificate, certificate_file, mutant_lines
 from grader.certify.corpus import wrong_submissions
+from grader.certify.fates import FATES
 from grader.certify.matrix import line_of, row_of, stored_lines
 from grader.cli import cli
 
@@ -34,6 +35,15 @@ def test_the_stored_matrix_has_no_hole(monkeypatch: pytest.MonkeyPatch, tmp_path
     assert result.exit_code == 0, result.output
     assert "0 false accepts" in result.output
     assert (tmp_path / "certificate.md").read_text() == certificate_file().read_text()
+
+
+def test_the_table_of_mutants() -> None:
+    """A line for each original, their sum, and the share that is caught."""
+    counts = {"x.cpp": dict.fromkeys(FATES, 1), "y.cpp": dict.fromkeys(FATES, 2)}
+    *_, first, second, total, share = mutant_lines(counts)
+    assert (first[:11], second[:11]) == ("| x.cpp | 1", "| y.cpp | 2")
+    assert total == "| all |" + " 3 |" * len(FATES) + "\n"
+    assert share == "\n50.0 % of all that are caught or survived are caught.\n"
 
 
 def test_a_name_that_nothing_has() -> None:
