@@ -131,12 +131,12 @@ def _original(name: str) -> Path:
 def _first_loss(library: Path, seed: int) -> str:
     """Run trials until a point is lost; the check and the trial, or nothing."""
     examiner = Examiner(_selection().checks)
-    worth = {one.check for one in _selection().rubric.criteria if one.points}
+    scored = {one.check for one in _selection().rubric.criteria}
     for case in _cases(library, seed):
         if isinstance(case, SurvivalCase | MemoryCase) and case.ending.crowded:
             continue
         for finding in examiner.examine([case]):
-            if finding.verdict is Verdict.FAIL and finding.check in worth:
+            if finding.verdict is Verdict.FAIL and finding.check in scored:
                 return f"{finding.check}, {case.name}"
     return ""
 
