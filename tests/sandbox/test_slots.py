@@ -22,6 +22,8 @@ def test_slots_are_given_back(
 ) -> None:
     """Also after a fault, and no lock stays open."""
     monkeypatch.setattr(slots, "FOLDER", tmp_path)
+    # Not those of boxes that live now: they are in other locks.
+    monkeypatch.setattr(slots, "FIRST_UID", UID)
     before = len(list(Path("/proc/self/fd").iterdir()))
     users = []
     for _ in range(3):
@@ -57,7 +59,7 @@ def test_what_outlived_a_killed_grader_is_ended(
     """Its lock file is not empty: a process of that user would count against the next one."""
     monkeypatch.setattr(slots, "is_root", lambda: True)
     monkeypatch.setattr(slots, "FOLDER", tmp_path)
-    # A user of its own, or our own process would be ended too.
+    # A user of no box, or our own process would be ended too.
     orphan = subprocess.Popen(["sleep", "600"], user=UID if os.geteuid() == 0 else None)
     monkeypatch.setattr(slots, "_numbers", lambda: [orphan.pid])
     monkeypatch.setattr(slots, "FIRST_UID", UID if os.geteuid() == 0 else os.geteuid())
