@@ -7,8 +7,10 @@ from dataclasses import replace
 from pathlib import Path
 
 import grader
+from grader.diagnose.causes import likely_causes
+from grader.diagnose.notes import Notes
 from grader.model.cases import Case, MemoryCase, SurvivalCase, TreeCase, WorkCase
-from grader.model.grade import Grade, Provenance, Timing
+from grader.model.grade import Cause, CheckScore, Grade, Provenance, Timing
 from grader.model.stages import PARTS, Build, Rejected, Stop, Submission
 from grader.model.trials import Trial
 from grader.model.verdict import Evidence, Finding, Verdict
@@ -44,6 +46,7 @@ class Summary:
         self._isolation = isolation
         self._progress = progress
         self._examiner = Examiner(selection.checks)
+        self._notes = Notes()
         self._findings: list[Finding] = []
         self._untouched: set[str] = set()
         self._touched: set[str] = set()
@@ -73,6 +76,7 @@ class Summary:
                 self._crowded(case.trial)
                 continue
             self._note(case)
+            self._notes.note(case)
             self._findings += self._examiner.examine([case])
 
     def _crowded(self, trial: Trial) -> None:
@@ -116,8 +120,11 @@ class Summary:
             planned_cases(checks, trials),
             started,
         )
-        seconds = self._examiner.seconds
-        scores = tuple(replace(one, seconds=seconds[one.check]) for one in scores)
+        seconds, causes = self._examiner.seconds, self._causes(scores)
+        scores = tuple(
+            replace(one, seconds=seconds[one.check], cause=causes.get(one.check))
+            for one in scores
+        )
         parts = score_parts(rubric, scores, started)
         total = final_score(scores)
         return Grade(
@@ -131,6 +138,11 @@ class Summary:
             provenance=self._provenance(build),
             timing=self._timing(build),
         )
+
+    def _causes(self, scores: Iterable[CheckScore]) -> dict[str, Cause]:
+        """Look for likely causes, which move no point."""
+        failed = [one.check for one in scores if one.verdict is Verdict.FAIL]
+        return likely_causes(self._notes, failed) if failed else {}
 
     def _started(self) -> set[str]:
         """Tell which parts no longer do what the given code does.

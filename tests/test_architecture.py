@@ -51,6 +51,8 @@ def test_the_contracts_hold() -> None:
     [
         ("score/points.py", "import grader.verify.engine", "stages do not know each other"),
         ("model/mesh.py", "import grader.score.points", "stages do not know each other"),
+        ("score/points.py", "import grader.diagnose.causes", "stages do not know each other"),
+        ("diagnose/causes.py", "import grader.score.points", "a likely cause comes from cases"),
         ("helpers.py", '"""A new module."""', "stages do not know each other"),
         ("verify/engine.py", "import subprocess", "only sandbox starts processes"),
         ("report/facts.py", "import multiprocessing", "only sandbox starts processes"),

@@ -37,6 +37,8 @@ class Order:
     """Wall seconds of the whole grade; None for the rubric's."""
 
     isolated: bool
+    hints: int = 1
+    """How much is said beyond the facts, 0 to 3."""
 
 
 submission_type = click.Path(exists=True, path_type=Path)
@@ -58,6 +60,13 @@ time_option = click.option(
     metavar="SECONDS",
     help="The grade is there after this time, whatever happens (default: the rubric's, 120).",
 )
+hints_option = click.option(
+    "--hints",
+    type=click.IntRange(0, 3),
+    default=1,
+    show_default=True,
+    help="0 facts, 1 and a likely cause, 2 and a question, 3 and what to try.",
+)
 unsafe_option = click.option(
     "--unsafe-no-isolation",
     is_flag=True,
@@ -71,6 +80,7 @@ unsafe_option = click.option(
 @seed_option
 @rubric_option
 @time_option
+@hints_option
 @unsafe_option
 def check(submission: Path | None, **given: Any) -> None:  # noqa: ANN401 - click's own
     """Grade your own code and explain what is wrong.
@@ -140,6 +150,7 @@ def ordered(path: Path, given: Mapping[str, Any]) -> Order:
         given.get("only", ()),
         given["time_limit"],
         not given["unsafe_no_isolation"],
+        given.get("hints", 1),
     )
 
 
@@ -194,7 +205,7 @@ def report(result: Grade, order: Order, written: Path, tell_hidden: bool) -> Non
     from grader.report.terminal import print_grade
 
     console = Console()
-    print_grade(console, result, Occasion(repetition(order), written, tell_hidden))
+    print_grade(console, result, Occasion(repetition(order), written, tell_hidden, order.hints))
 
 
 def repetition(order: Order) -> str:

@@ -88,6 +88,21 @@ class Rubric:
 
 
 @dataclass(frozen=True, slots=True)
+class Cause:
+    """The misconception that likely made a check fail; it moves no point."""
+
+    id: str
+    sentence: str
+    """In English, the key of its translations."""
+
+    fits: int
+    """Places that are as this misconception foretells."""
+
+    places: int
+    """All places that can tell."""
+
+
+@dataclass(frozen=True, slots=True)
 class CheckScore:
     """One check over all its cases, with what it earned."""
 
@@ -105,7 +120,6 @@ class CheckScore:
     message: str
     expected: str
     got: str
-    hint: str
     examples: tuple[Example, ...]
     blocked_by: str | None
     stop: Stop
@@ -114,6 +128,8 @@ class CheckScore:
 
     cases: tuple[tuple[str, Verdict], ...]
     seconds: float
+    cause: Cause | None = None
+    """None if nothing failed, or if nobody can be sure why."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,6 +16,7 @@ from grader.model.verdict import Example
 from grader.plain import one_line
 from grader.report.escape import for_json
 from grader.report.facts import FILE, place, withheld
+from grader.report.hints import likely_cause
 
 Json = dict[str, Any]
 
@@ -90,7 +91,7 @@ def one_check(grade: Grade, score: CheckScore, unknown: bool) -> Json:
         "message": score.message,
         "expected": score.expected,
         "got": score.got,
-        "hint": score.hint,
+        "hint": likely_cause(score),
         "examples": [example(one) for one in score.examples[:MOST_EXAMPLES]],
         "blocked_by": score.blocked_by,
         "stop": score.stop.value,

@@ -8,6 +8,7 @@ from rich.text import Text
 from grader.model.grade import CheckScore, Grade
 from grader.model.stages import Rejected
 from grader.report.facts import FILE, place
+from grader.report.hints import WITH_CAUSE, hints
 from grader.report.sheet import STYLES, Sheet
 
 EXCERPT = 3
@@ -29,6 +30,9 @@ class Occasion:
     tell_hidden: bool = True
     """Show checks that the rubric hides from students."""
 
+    hints: int = WITH_CAUSE
+    """How much is said beyond the facts, 0 to 3."""
+
 
 def points(score: float, possible: float) -> str:
     """Write points as people do: `4 of 5`, `2.25 of 3`."""
@@ -48,8 +52,8 @@ def explain(sheet: Sheet, grade: Grade, score: CheckScore, occasion: Occasion) -
     if score.got:
         sheet.beside("got", score.got, "red")
     look_at(sheet, grade, score)
-    if score.hint:
-        sheet.beside("hint", score.hint, "cyan")
+    for label, text in hints(score, occasion.hints):
+        sheet.beside(label, text, "cyan")
     if occasion.command:
         sheet.command("again", f"{occasion.command} --only {score.check}")
 

@@ -104,7 +104,6 @@ def _scored(criterion: Criterion, title: str, of: Tally, died: str | None) -> Ch
         message=outcome.message,
         expected=shown.expected,
         got=shown.got,
-        hint="",
         examples=examples,
         blocked_by=outcome.blocked_by,
         stop=first.evidence.stop if first else Stop.FINISHED,

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from grader.model.grade import CheckScore, Grade, PartScore, Provenance, Timing
+from grader.model.grade import Cause, CheckScore, Grade, PartScore, Provenance, Timing
 from grader.model.stages import Build, CallGraph, Diagnostic, Rejected, Stop, Submission
 from grader.model.verdict import Example, Verdict
 
@@ -109,7 +109,6 @@ def check(number: int) -> CheckScore:
         message="",
         expected="",
         got="",
-        hint="",
         examples=(),
         blocked_by=None,
         stop=Stop.FINISHED,
@@ -167,7 +166,7 @@ def loose_boxes(message: str = "node 1 of 3 triangles: one of them reaches out")
         message=message,
         expected=wanted,
         got=got,
-        hint="Does the box grow by all three corners of every triangle?",
+        cause=Cause("box.of-the-parent", "A child gets the box of its parent.", 60, 61),
         examples=(Example("strip-x of 9 faces, node 1: box.max is too small", wanted, got),),
         line=7,
     )

@@ -69,7 +69,7 @@ def test_any_text_is_only_text_in_every_format(text: str) -> None:
 def everywhere(text: str) -> tuple[Grade, Grade, Grade]:
     """Put a text wherever a submission can put one: graded, not compiled, refused."""
     example = Example(text, text, text)
-    score = replace(samples.loose_boxes(text), expected=text, got=text, hint=text, title=text)
+    score = replace(samples.loose_boxes(text), expected=text, got=text, title=text)
     score = replace(score, line=1, examples=(example,) * 9)
     calls = replace(samples.CALLS, lines=((f"_Z{len(text)}{text}", 1),))
     build = replace(

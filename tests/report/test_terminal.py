@@ -39,10 +39,12 @@ def test_lines_fit_and_commands_stay_whole(name: str, width: int) -> None:
 
 
 def test_the_order_of_a_failure_is_kept() -> None:
-    """What happened, numbers, expected, got, where, hint, again."""
-    report = printed(samples.changed(c5=samples.loose_boxes()), Screen()).decode()
+    """What happened, numbers, expected, got, where, cause, hint, what to try, again."""
+    grade, occasion = samples.changed(c5=samples.loose_boxes()), replace(OCCASION, hints=3)
+    report = printed(grade, Screen(), occasion).decode()
     block = report[report.index("✗ fail") :]
-    words = ["reaches out", "example", "expected", "got", "look at", "> ", "hint", "again"]
+    words = ["reaches out", "example", "expected", "got", "look at", "> "]
+    words += ["cause", "hint", "try", "again"]
     places = [block.index(word) for word in words]
     assert places == sorted(places)
     assert ":7 in boxOf" in block

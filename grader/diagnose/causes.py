@@ -1,0 +1,64 @@
+"""Which hypothesis explains what failed? One for each failed check, or none where it is unsure.
+
+A hypothesis is only tried if the table of known mistakes says that it makes some failed check
+fail. It is named if nearly everything is as it foretells; of several the one that foretells
+best, then the one whose known failures are most like those at hand. A cause moves no point.
+"""
+
+from collections.abc import Collection, Iterable
+
+from grader.diagnose import every_hypothesis
+from grader.diagnose.hypothesis import NOTHING, Hypothesis, Support
+from grader.diagnose.notes import Notes
+from grader.diagnose.patterns import explained, likeness
+from grader.model.cases import Case
+from grader.model.grade import Cause
+
+SURE = 0.95
+"""Share of places that have to be as foretold."""
+
+HOPELESS = 20
+"""After so many places that are otherwise, and half of all, nothing more is looked at."""
+
+
+def likely_causes(notes: Notes, failed: Collection[str]) -> dict[str, Cause]:
+    """Name the likely cause of failed checks; checks without one are left out."""
+    found = sorted(_supported(notes, failed), key=lambda one: one[0], reverse=True)
+    causes: dict[str, Cause] = {}
+    for _, each, support in found:
+        mine = explained(each.id) & set(failed)
+        if not mine & set(causes):
+            places = support.fits + support.against
+            causes |= dict.fromkeys(mine, Cause(each.id, each.sentence, support.fits, places))
+    return causes
+
+
+Ranked = tuple[tuple[float, float, int], Hypothesis, Support]
+
+
+def _supported(notes: Notes, failed: Collection[str]) -> Iterable[Ranked]:
+    for each in every_hypothesis():
+        if explained(each.id).isdisjoint(failed):
+            continue
+        support = weigh(each, notes)
+        share = support.fits / max(support.fits + support.against, 1)
+        if support.fits >= each.least and share >= SURE:
+            yield (share, likeness(each.id, failed), support.fits), each, support
+
+
+def weigh(each: Hypothesis, notes: Notes) -> Support:
+    """Look for a misconception in all cases of its kind, small ones first."""
+    fits = against = 0
+    for case in notes.of(each.kind):
+        support = _tried(each, case)
+        fits, against = fits + support.fits, against + support.against
+        if against > HOPELESS and against > fits:
+            break
+    return Support(fits, against)
+
+
+def _tried(each: Hypothesis, case: Case) -> Support:
+    try:
+        return each.decide(case)
+    except Exception:  # noqa: BLE001 - only a hint is lost, and never a grade
+        return NOTHING

@@ -1,0 +1,45 @@
+"""What is kept of a run, so that a likely cause can be looked for when it is over?"""
+
+from collections import defaultdict
+from typing import TypeVar
+
+from grader.model.cases import Case, DepthCase, ImageCase, TreeCase
+
+CaseT = TypeVar("CaseT")
+
+MOST_FACES = 5_000
+"""Trees and hits on larger meshes are not kept: small ones tell the same, and sooner."""
+
+MOST_NODES = 1 << 16
+
+
+class Notes:
+    """The cases of a run that are small enough to be looked at once more."""
+
+    def __init__(self) -> None:
+        self._cases: dict[type, list[Case]] = defaultdict(list)
+
+    def note(self, case: Case) -> None:
+        """Keep a case, if it is small."""
+        if isinstance(case, ImageCase):
+            return
+        if isinstance(case, TreeCase | DepthCase):
+            few = case.trial.sanitized or len(case.trial.mesh.faces) <= MOST_FACES
+            if not few or len(case.bvh.end) > MOST_NODES:
+                return
+        self._cases[type(case)].append(case)
+
+    def of(self, kind: type[CaseT]) -> list[CaseT]:
+        """The cases of one kind, those of small meshes first.
+
+        `Notes` itself is a kind too: of what only several cases together tell.
+        """
+        if kind is Notes:
+            return [self]  # type: ignore[list-item]  # mypy does not know that they are the same
+        # Each list holds its own kind only.
+        return sorted(self._cases[kind], key=_size)  # type: ignore[arg-type]
+
+
+def _size(case: Case) -> int:
+    mesh = getattr(getattr(case, "trial", None), "mesh", None)
+    return 0 if mesh is None else len(mesh.faces)

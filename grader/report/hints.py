@@ -1,0 +1,55 @@
+"""What is said beyond the facts, step by step: a likely cause, a question, something to try.
+
+None of it is the solution: a cause says what is misunderstood, a question where to look, and
+what there is to try shows the mistake on paper or in a debugger.
+"""
+
+import tomllib
+from collections.abc import Mapping
+from functools import cache
+from importlib.resources import files
+
+from grader.language import Words
+from grader.model.grade import CheckScore
+
+NO_HINTS, WITH_CAUSE, WITH_QUESTION, WITH_TRIAL = range(4)
+"""Steps of `--hints`; each tells what the one before it does, and one thing more."""
+
+
+@cache
+def told() -> Mapping[str, Mapping[str, str]]:
+    """Read what is asked, and what there is to try, by check."""
+    text = files("grader.report").joinpath("hints.toml").read_text(encoding="utf-8")
+    return tomllib.loads(text)
+
+
+LABELS = ("cause", "hint", "try")
+
+
+def likely_cause(score: CheckScore, words: Words = str) -> str:
+    """Word the likely cause of a failure, and how much speaks for it; empty if unsure."""
+    cause = score.cause
+    if cause is None:
+        return ""
+    if cause.places == 1:
+        return words(cause.sentence)
+    share = words("This explains {fits} of {places} places.")
+    share = share.format(fits=f"{cause.fits:,}", places=f"{cause.places:,}")
+    return f"{words(cause.sentence)} {share}"
+
+
+def hints(score: CheckScore, step: int, words: Words = str) -> list[tuple[str, str]]:
+    """Choose what is said about a failure, each with its label.
+
+    Args:
+        score: The failed check.
+        step: 0 to 3, as in `--hints`.
+        words: Translates.
+    """
+    more = told().get(score.check, {})
+    texts = (
+        likely_cause(score, words),
+        words(more.get("question", "")),
+        words(more.get("trial", "")),
+    )
+    return [(label, text) for label, text in zip(LABELS, texts[:step], strict=False) if text]
