@@ -6,12 +6,12 @@ best, then the one whose known failures are most like those at hand. A cause mov
 """
 
 from collections.abc import Collection, Iterable
+from typing import Any
 
 from grader.diagnose import every_hypothesis
 from grader.diagnose.hypothesis import NOTHING, Hypothesis, Support
 from grader.diagnose.notes import Notes
 from grader.diagnose.patterns import explained, likeness
-from grader.model.cases import Case
 from grader.model.grade import Cause
 
 SURE = 0.95
@@ -49,7 +49,8 @@ def _supported(notes: Notes, failed: Collection[str]) -> Iterable[Ranked]:
 def weigh(each: Hypothesis, notes: Notes) -> Support:
     """Look for a misconception in all cases of its kind, small ones first."""
     fits = against = 0
-    for case in notes.of(each.kind):
+    cases: list[Any] = notes.of(each.kind)
+    for case in cases:
         support = _tried(each, case)
         fits, against = fits + support.fits, against + support.against
         if against > HOPELESS and against > fits:
@@ -57,7 +58,7 @@ def weigh(each: Hypothesis, notes: Notes) -> Support:
     return Support(fits, against)
 
 
-def _tried(each: Hypothesis, case: Case) -> Support:
+def _tried(each: Hypothesis, case: Any) -> Support:  # noqa: ANN401 - of the hypothesis's kind
     try:
         return each.decide(case)
     except Exception:  # noqa: BLE001 - only a hint is lost, and never a grade

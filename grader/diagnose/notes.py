@@ -36,8 +36,8 @@ class Notes:
         """
         if kind is Notes:
             return [self]  # type: ignore[list-item]  # mypy does not know that they are the same
-        # Each list holds its own kind only.
-        return sorted(self._cases[kind], key=_size)  # type: ignore[arg-type]
+        cases = sorted(self._cases[kind], key=_size)
+        return cases  # type: ignore[return-value]  # noqa: RET504 - each list holds its own kind
 
 
 def _size(case: Case) -> int:

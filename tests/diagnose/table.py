@@ -7,10 +7,11 @@ them misunderstands. What a grader needs of both is small, and is shipped with i
 import csv
 from pathlib import Path
 
+from grader.certify.corpus import corpus_folder
+from grader.certify.matrix import stored_lines
 from tests.own_files import ROOT
-from tests.submissions.matrix import HERE, stored_lines
 
-MISCONCEPTIONS = HERE / "misconceptions.csv"
+MISCONCEPTIONS = corpus_folder() / "misconceptions.csv"
 PATTERNS = ROOT / "grader" / "diagnose" / "patterns.csv"
 
 
