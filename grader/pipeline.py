@@ -8,6 +8,7 @@ from pathlib import Path
 
 from grader.build.compile import Compilation, compile_submission
 from grader.build.compiler import find_compiler, sanitizer_runtime
+from grader.counterexample.search import Search, with_counterexamples
 from grader.intake.locate import locate
 from grader.model.cases import BuildCase, Case, DepthCase, SourceCase, WorkCase
 from grader.model.grade import Grade, Limits, Rubric
@@ -48,6 +49,12 @@ class Options:
     """Wall seconds after which the grade is there, whatever the submission does; None takes
     the rubric's."""
 
+    counterexamples: bool = False
+    """Whether to look for the smallest input that fails each check that failed."""
+
+    hidden: bool = True
+    """Whether to do so for checks, too, that the rubric hides from students."""
+
     isolated: bool = True
     """False only if the caller insists on running code without isolation."""
 
@@ -85,7 +92,7 @@ def grade_one(path: Path, options: Options) -> Grade:
             summary.examine(run.cases(further) if further else run.small_depths)
             deeper = selection.useful(run.deeper_trials(summary))
             summary.examine(run.cases(deeper))
-        return summary.grade(submission, build, (*trials, *further, *deeper))
+        return run.grade(summary, submission, (*trials, *further, *deeper))
 
 
 def _isolation(options: Options) -> Isolation:
@@ -176,6 +183,7 @@ class _Run:
         elapsed: float,
     ) -> None:
         limit = _time_limit(rubric.limits, options)
+        self._build = build
         self._engines = _engines(build, rubric.limits, _isolation(options))
         self._budget = Budget(rubric.limits, limit - _RESERVE * limit - elapsed)
         self._solution = solution
@@ -199,6 +207,18 @@ class _Run:
                     yield replace(case, reference_cpu_seconds=reference[case.name])
                 else:
                     yield case
+
+    def grade(self, summary: Summary, given: Submission, trials: Sequence[Trial]) -> Grade:
+        """Score what was found, and look for small inputs in what is left of the time."""
+        grade = summary.grade(given, self._build, trials)
+        if not self._options.counterexamples:
+            return grade
+        left = _time_limit(self._rubric.limits, self._options) - summary.elapsed()
+        deadline, hidden = time.monotonic() + left, self._options.hidden
+        search = Search(trials, self._engines, self._solution, deadline, hidden)
+        with summary.stage("looking for small examples"):
+            grade = with_counterexamples(grade, search)
+        return replace(grade, timing=summary.timing(self._build))
 
     def further_trials(self) -> Sequence[Trial]:
         """Ask for the mesh of four million faces if small ones could not show the depth limit.

@@ -16,7 +16,8 @@ from grader.model.trials import ConstructTrial, Trial, WorkTrial
 from grader.oracle.plan import Plan, make_plan
 from grader.oracle.remember import digest_of, remember
 from grader.oracle.scenes import scenes_sha256
-from grader.run.session import Engine
+from grader.run.batches import run_batch
+from grader.run.session import Allowance, Engine
 from grader.run.trials import Budget, Engines, run_trials
 from grader.sandbox.selftest import unconfined
 
@@ -74,6 +75,29 @@ class Solution:
             _kept.plan = make_plan(seed, self.trees)
             _kept.key = key
         return _kept.plan
+
+    def fresh_trees(self, meshes: Sequence[Mesh]) -> list[Bvh]:
+        """Build the reference's trees of small meshes in one process, past the cache.
+
+        Raises:
+            WorkerFault: The reference did not come back.
+        """
+        trials = [ConstructTrial("reference", mesh) for mesh in meshes]
+        allowed = Allowance(GENEROUS.small_seconds, GENEROUS.total_seconds)
+        delivery = run_batch(trials, Engine(self._library, GENEROUS, unconfined()), allowed)
+        if delivery.ending.stop is not Stop.FINISHED:
+            message = f"the reference failed on small meshes: {delivery.ending.detail}"
+            raise WorkerFault(message)
+        cases = [case for delivered in delivery.cases for case in delivered]
+        return [case.bvh for case in cases if isinstance(case, TreeCase)]
+
+    def cases(self, trial: Trial) -> list[Case]:
+        """What the reference delivers for one trial.
+
+        Raises:
+            WorkerFault: The reference did not come back.
+        """
+        return self._run([trial])
 
     def cpu_seconds(self, trials: Sequence[Trial]) -> dict[str, float]:
         """CPU seconds of the reference for each trial that counts work."""

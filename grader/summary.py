@@ -136,7 +136,7 @@ class Summary:
             max_score=sum(one.max_score for one in scores),
             needs_review=total is None,
             provenance=self._provenance(build),
-            timing=self._timing(build),
+            timing=self.timing(build),
         )
 
     def _causes(self, scores: Iterable[CheckScore]) -> dict[str, Cause]:
@@ -188,7 +188,8 @@ class Summary:
             cpu=cpu_name(),
         )
 
-    def _timing(self, build: Build | None) -> Timing:
+    def timing(self, build: Build | None) -> Timing:
+        """Say where the time went until now."""
         total = time.monotonic() - self._begun
         compile_seconds = build.seconds if build else 0.0
         return Timing(

@@ -92,7 +92,7 @@ def check(submission: Path | None, **given: Any) -> None:  # noqa: ANN401 - clic
     """
     order = ordered(submission or usual_place(), given)
     folder = own_folder()
-    result = graded(order)
+    result = graded(order, hidden=False)
     written = stored(folder, result)
     with patient_stdout():
         report(result, order, written, tell_hidden=False)
@@ -131,7 +131,7 @@ def grade(submission: Path, output: Path, quiet: bool, **given: Any) -> None:  #
     """
     order = ordered(submission, given)
     folder = ready(output)
-    result = graded(order)
+    result = graded(order, hidden=True)
     written = stored(folder, result)
     with patient_stdout():
         if quiet:
@@ -177,13 +177,25 @@ def own_folder() -> Path:
         return ready(cache_folder() / OUTPUT)
 
 
-def graded(order: Order) -> Grade:
-    """Run the pipeline with a bar that shows how far it is."""
+def graded(order: Order, hidden: bool) -> Grade:
+    """Run the pipeline with a bar that shows how far it is.
+
+    Args:
+        order: What to grade.
+        hidden: Whether inputs of checks that the rubric hides may be looked for and written.
+    """
     from grader.pipeline import Options, grade_one
 
     with shown_progress() as progress, interruptible():
         options = Options(
-            order.seed, order.rubric, order.only, progress, order.time_limit, order.isolated
+            order.seed,
+            order.rubric,
+            order.only,
+            progress,
+            order.time_limit,
+            counterexamples=True,
+            hidden=hidden,
+            isolated=order.isolated,
         )
         return grade_one(order.path, options)
 
@@ -192,9 +204,24 @@ def stored(folder: Path, result: Grade) -> Path:
     """Write result.json and say where it lies."""
     from grader.report.as_json import to_text
 
+    store_counterexamples(folder, result)
     path = folder / RESULT
     write_whole(path, to_text(result))
     return path
+
+
+def store_counterexamples(folder: Path, result: Grade) -> None:
+    """Write the files that result.json names, and remove those of an earlier grade."""
+    from grader.counterexample.written import to_text
+    from grader.report.facts import FOLDER, counterexample_file
+
+    for score in result.checks:
+        path = folder / counterexample_file(score)
+        if score.counterexample is not None:
+            ready(folder / FOLDER)
+            write_whole(path, to_text(score.counterexample))
+        elif path.is_file():
+            path.unlink()
 
 
 def report(result: Grade, order: Order, written: Path, tell_hidden: bool) -> None:

@@ -1,9 +1,14 @@
 """What a whole grade is: the record that every report is written from."""
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from grader.model.stages import Build, Rejected, Stop, Submission
 from grader.model.verdict import Example, Verdict
+
+if TYPE_CHECKING:
+    # It holds arrays, and `bvhgrade --help` does without numpy.
+    from grader.model.counterexample import Counterexample
 
 
 @dataclass(frozen=True, slots=True)
@@ -130,6 +135,8 @@ class CheckScore:
     seconds: float
     cause: Cause | None = None
     """None if nothing failed, or if nobody can be sure why."""
+    counterexample: "Counterexample | None" = None
+    """The smallest input that fails the check, if one was looked for and found."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -102,7 +102,7 @@ def make_plan(seed: int, trees: Trees) -> Plan:
         traced(
             Request(seed, name, special, count=200),
             meshes[name],
-            _other_form(name, built[name]),
+            other_form(name, built[name]),
         )
         for name in TRACED
         for special in (False, True)
@@ -260,7 +260,7 @@ def _repeats(seed: int, meshes: dict[str, Mesh], built: dict[str, Bvh]) -> list[
     return trials
 
 
-def _other_form(name: str, tree: Bvh) -> Bvh:
+def other_form(name: str, tree: Bvh) -> Bvh:
     """Return a tree with empty slots at the end left out, or with more of them."""
     used = int(np.flatnonzero(tree.end)[-1]) + 1
     if name in TRIMMED:

@@ -73,25 +73,29 @@ def _fault(trial: TraceTrial, wrong: Integers, embree: Floats) -> str:
 def sample(trial: TraceTrial, step: int, name: str) -> TraceTrial:
     """Return every `step`-th ray as a trial of the sanitized build."""
     kept = np.arange(0, trial.family.size, step)
-    given = trial.answers
-    counts = np.diff(given.first)[kept]
-    place = np.repeat(given.first[kept] - np.cumsum(counts) + counts, counts)
-    place = place + np.arange(place.size)
     return TraceTrial(
         name=name,
         mesh=trial.mesh,
         tree=trial.tree,
         rays=chosen(trial.rays, kept),
-        answers=Answers(
-            limit=given.limit[kept],
-            first=np.concatenate([[0], np.cumsum(counts)]),
-            face=given.face[place],
-            t=given.t[place],
-            tolerance=given.tolerance[place],
-            kind=given.kind[place],
-        ),
+        answers=answers_of(trial.answers, kept),
         families=trial.families,
         family=trial.family[kept],
         special=trial.special,
         sanitized=True,
+    )
+
+
+def answers_of(given: Answers, kept: Integers) -> Answers:
+    """Return the answers of some of the rays."""
+    counts = np.diff(given.first)[kept]
+    place = np.repeat(given.first[kept] - np.cumsum(counts) + counts, counts)
+    place = place + np.arange(place.size)
+    return Answers(
+        limit=given.limit[kept],
+        first=np.concatenate([[0], np.cumsum(counts)]),
+        face=given.face[place],
+        t=given.t[place],
+        tolerance=given.tolerance[place],
+        kind=given.kind[place],
     )

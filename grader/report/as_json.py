@@ -15,7 +15,7 @@ from grader.model.stages import Build, Diagnostic, Rejected, Submission
 from grader.model.verdict import Example
 from grader.plain import one_line
 from grader.report.escape import for_json
-from grader.report.facts import FILE, place, withheld
+from grader.report.facts import FILE, counterexample_file, place, withheld
 from grader.report.hints import likely_cause
 
 Json = dict[str, Any]
@@ -96,7 +96,7 @@ def one_check(grade: Grade, score: CheckScore, unknown: bool) -> Json:
         "blocked_by": score.blocked_by,
         "stop": score.stop.value,
         "location": location(grade, score),
-        "counterexample": None,
+        "counterexample": counterexample(score),
         "seconds": None,
     }
 
@@ -116,6 +116,14 @@ def location(grade: Grade, score: CheckScore) -> Json | None:
     if found is None:
         return None
     return {"file": FILE, "line": found.line, "function": found.function}
+
+
+def counterexample(score: CheckScore) -> Json | None:
+    """Say how small the reduced case is and where it lies, or null."""
+    found = score.counterexample
+    if found is None:
+        return None
+    return {"faces": found.faces, "rays": found.rays, "file": counterexample_file(score)}
 
 
 def build(grade: Grade) -> Json:

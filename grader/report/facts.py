@@ -2,14 +2,21 @@
 
 import re
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from grader.model.grade import CheckScore, Grade, PartScore
 from grader.model.stages import Rejected
 from grader.model.verdict import Verdict
 from grader.plain import as_name
 
+if TYPE_CHECKING:
+    from grader.model.counterexample import Counterexample
+
 FILE = "src/exercise03.cpp"
 """Name of the student's file in every message, wherever it really lies."""
+
+FOLDER = "counterexamples"
+"""Where the files of counterexamples lie, beside `result.json`."""
 
 FUNCTIONS = {"a": "BVH::construct", "b": "intersect"}
 """The function that each part asks for."""
@@ -42,6 +49,18 @@ def not_started(part: PartScore) -> str:
     """Say that a part still does what the given code does."""
     function = FUNCTIONS.get(part.part, "the function")
     return f"Part {part.part} is not started: {function} still does what the given code does."
+
+
+def counterexample_file(score: CheckScore) -> str:
+    """Name the file of a check's counterexample, relative to `result.json`."""
+    return f"{FOLDER}/{score.check}.json"
+
+
+def size_of(found: "Counterexample") -> str:
+    """Word how large a counterexample is: `5 faces, 1 ray`."""
+    faces = f"{found.faces:,} face{'' if found.faces == 1 else 's'}"
+    rays = f", {found.rays:,} ray{'' if found.rays == 1 else 's'}" if found.rays else ""
+    return faces + rays
 
 
 def unstarted(grade: Grade) -> dict[str, str]:

@@ -7,7 +7,7 @@ from rich.text import Text
 
 from grader.model.grade import CheckScore, Grade
 from grader.model.stages import Rejected
-from grader.report.facts import FILE, place
+from grader.report.facts import FILE, place, size_of
 from grader.report.hints import WITH_CAUSE, hints
 from grader.report.sheet import STYLES, Sheet
 
@@ -47,15 +47,24 @@ def explain(sheet: Sheet, grade: Grade, score: CheckScore, occasion: Occasion) -
         sheet.beside("", happened)
     for label, told in examples(sheet, score, happened):
         sheet.beside(label, told)
-    if score.expected:
-        sheet.beside("expected", score.expected, "green")
-    if score.got:
-        sheet.beside("got", score.got, "red")
+    smallest(sheet, score)
+    shown = score.counterexample or score
+    if shown.expected:
+        sheet.beside("expected", shown.expected, "green")
+    if shown.got:
+        sheet.beside("got", shown.got, "red")
     look_at(sheet, grade, score)
     for label, text in hints(score, occasion.hints):
         sheet.beside(label, text, "cyan")
     if occasion.command:
         sheet.command("again", f"{occasion.command} --only {score.check}")
+
+
+def smallest(sheet: Sheet, score: CheckScore) -> None:
+    """Tell the smallest input that fails; what is expected of it and what it got come next."""
+    found = score.counterexample
+    if found is not None:
+        sheet.beside("smallest", f"{size_of(found)}: {found.message}")
 
 
 def headline(sheet: Sheet, score: CheckScore) -> None:

@@ -38,6 +38,12 @@ ROUNDS = 4
 Read = Callable[[Sequence[Result], Ending], tuple[Case, ...]]
 """Makes cases from the results of all jobs and the ending of the last worker."""
 
+ReadOne = Callable[[Result, Ending], tuple[Case, ...]]
+"""Makes the cases of one trial from the result of a job that may hold others."""
+
+Single = ConstructTrial | TraceTrial | AlteredTrial | WorkTrial | ImageTrial
+"""Trials that need one process, which may serve others too where that does not matter."""
+
 
 @dataclass(frozen=True, slots=True)
 class Request:
@@ -50,32 +56,38 @@ class Request:
 def request(trial: Trial) -> Request:
     """Lay out the job of a trial."""
     match trial:
-        case ConstructTrial():
-            return _construct(trial)
         case RebuildTrial():
             return _rebuild(trial)
-        case WorkTrial():
-            return _work(trial)
         case RepeatTrial():
             return _repeat(trial)
-    return _trace(trial)
-
-
-def _construct(trial: ConstructTrial) -> Request:
     job = Job()
+    read = asked(job, trial)
+    return Request((job,), lambda results, ending: read(results[0], ending))
+
+
+def asked(job: Job, trial: Single) -> ReadOne:
+    """Append a trial to a job that may hold others; returns how to read its cases."""
+    match trial:
+        case ConstructTrial():
+            return _construct(job, trial)
+        case WorkTrial():
+            return _work(job, trial)
+    return _trace(job, trial)
+
+
+def _construct(job: Job, trial: ConstructTrial) -> ReadOne:
     slot = give_mesh(job, trial.mesh)
     job.do(Op.CONSTRUCT, slot, slot)
     tree = read_tree(job, slot, trial.mesh)
     max_depth = SMALL_MAX_DEPTH if trial.sanitized else MAX_DEPTH
     limited = len(trial.mesh.faces) > FACES_PER_LEAF << max_depth
 
-    def read(results: Sequence[Result], _: Ending) -> tuple[Case, ...]:
-        (result,) = results
+    def read(result: Result, _: Ending) -> tuple[Case, ...]:
         if limited:
             return (DepthCase(trial.name, trial, tree(result), max_depth),)
         return () if trial.sanitized else (TreeCase(trial.name, trial, tree(result)),)
 
-    return Request((job,), read)
+    return read
 
 
 def _rebuild(trial: RebuildTrial) -> Request:
@@ -124,12 +136,10 @@ def _rebuild(trial: RebuildTrial) -> Request:
     return Request((job, alone), read)
 
 
-def _trace(trial: TraceTrial | AlteredTrial | ImageTrial) -> Request:
-    job = Job()
+def _trace(job: Job, trial: TraceTrial | AlteredTrial | ImageTrial) -> ReadOne:
     hits = trace(job, on_tree(job, trial.mesh, trial.tree), trial.rays)
 
-    def read(results: Sequence[Result], _: Ending) -> tuple[Case, ...]:
-        (result,) = results
+    def read(result: Result, _: Ending) -> tuple[Case, ...]:
         (found,) = hits(result).hits
         match trial:
             case TraceTrial():
@@ -138,21 +148,19 @@ def _trace(trial: TraceTrial | AlteredTrial | ImageTrial) -> Request:
                 return (AlteredCase(trial.name, trial, found),)
         return (ImageCase(trial.name, trial, found),)
 
-    return Request((job,), read)
+    return read
 
 
-def _work(trial: WorkTrial) -> Request:
-    job = Job()
+def _work(job: Job, trial: WorkTrial) -> ReadOne:
     traced = trace(job, on_tree(job, trial.mesh, trial.tree), trial.rays)
 
-    def read(results: Sequence[Result], ending: Ending) -> tuple[Case, ...]:
-        (result,) = results
+    def read(result: Result, ending: Ending) -> tuple[Case, ...]:
         found = traced(result)
         boxes, triangles = found.tests
         seconds = ending.cpu_seconds
         return (WorkCase(trial.name, trial, found.hits[0], boxes, triangles, seconds, seconds),)
 
-    return Request((job,), read)
+    return read
 
 
 def _repeat(trial: RepeatTrial) -> Request:

@@ -78,6 +78,16 @@ def run_job(job: Job, engine: Engine, allowed: Allowance) -> tuple[Ending, Resul
         WorkerFault: There is no memory for the input, or the process could not be confined.
         MissingTool: The interpreter cannot be started.
     """
+    ending, result = carried_out(job, engine, allowed)
+    return ending, result if ending.stop is Stop.FINISHED else None
+
+
+def carried_out(job: Job, engine: Engine, allowed: Allowance) -> tuple[Ending, Result]:
+    """Carry out as much of a job as the submission lets us, in a fresh process.
+
+    Returns:
+        How it ended, and the result, which is whole up to `rows_done`.
+    """
     entry = staged(MODULES)
     # Else each thread on a machine of many cores reserves memory that the limit counts.
     environment = {"MALLOC_ARENA_MAX": "4"}
@@ -95,8 +105,12 @@ def run_job(job: Job, engine: Engine, allowed: Allowance) -> tuple[Ending, Resul
         box = Box((entry.parent, engine.library), _bounds(engine, allowed))
         outcome = confined(target, box, entry, engine.isolation)
         result = Result(result_file, job.result_size)
-    ending = _ending(outcome, job, result, allowed)
-    return ending, result if ending.stop is Stop.FINISHED else None
+    return _ending(outcome, job, result, allowed), result
+
+
+def rows_done(job: Job, result: Result) -> int:
+    """How many rows the worker says it finished: its word, within bounds."""
+    return min(result.number(16), job.row_count)
 
 
 def _bounds(engine: Engine, allowed: Allowance) -> Bounds:

@@ -24,6 +24,8 @@ class Options:
     only: tuple[str, ...]
     progress: Callable[[str, int, int], None]
     time_limit: float | None
+    counterexamples: bool
+    hidden: bool
     isolated: bool
 
 

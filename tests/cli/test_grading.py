@@ -92,7 +92,26 @@ def test_grade_succeeds_whenever_there_is_a_grade(pipeline: Pipeline, name: str)
     assert result.exit_code == (3 if name == "broken" else 0)
     written = json.loads(Path("deep/er/result.json").read_text())
     assert (written["score"] is None) == (name == "broken")
-    assert [path.name for path in Path("deep/er").iterdir()] == ["result.json"]
+    assert Path("deep/er/counterexamples").exists() == (name == "failing")
+
+
+def test_the_files_that_a_result_names_are_there_and_no_others(pipeline: Pipeline) -> None:
+    """What an earlier grade left behind for a check that passes now is removed."""
+    pipeline.answer = samples.failing
+    call("grade", FILE)
+    folder = Path("bvhgrade-out")
+    named = [
+        one["counterexample"]["file"]
+        for one in json.loads(Path(WRITTEN).read_text())["checks"]
+        if one["counterexample"]
+    ]
+    assert len(named) == 2
+    for name in named:
+        assert json.loads((folder / name).read_text())["meshes"][0]["faces"]
+    pipeline.answer = samples.perfect
+    call("check", FILE)
+    assert not list((folder / "counterexamples").iterdir())
+    assert [options.hidden for _, options in pipeline.asked] == [True, False]
 
 
 def test_options_reach_the_pipeline(pipeline: Pipeline) -> None:

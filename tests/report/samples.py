@@ -4,9 +4,12 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
+from grader.model.counterexample import Counterexample
 from grader.model.grade import Cause, CheckScore, Grade, PartScore, Provenance, Timing
 from grader.model.stages import Build, CallGraph, Diagnostic, Rejected, Stop, Submission
+from grader.model.trials import ConstructTrial
 from grader.model.verdict import Example, Verdict
+from tests.verify.builder import soup
 
 SOURCE = b"""#include "bvh.h"
 #include "intersection.h"
@@ -169,6 +172,33 @@ def loose_boxes(message: str = "node 1 of 3 triangles: one of them reaches out")
         cause=Cause("box.of-the-parent", "A child gets the box of its parent.", 60, 61),
         examples=(Example("strip-x of 9 faces, node 1: box.max is too small", wanted, got),),
         line=7,
+        counterexample=small(),
+    )
+
+
+def small_trace() -> Counterexample:
+    """The smallest input of a failure in part b."""
+    return replace(
+        small(),
+        check="hits.closest-wins",
+        rays=1,
+        message="ray 0: t is 2.5, but face 1 is hit at 1.5",
+        expected="a hit on face 1 at t = 1.5",
+        got="t is 2.5",
+    )
+
+
+def small() -> Counterexample:
+    """The smallest input of a failure."""
+    return Counterexample(
+        check="bvh.boxes-are-tight",
+        trial=ConstructTrial("tree over strip-x", soup(5)),
+        faces=5,
+        rays=0,
+        found_in="tree over strip-x",
+        message="node 1: box is too small",
+        expected="node 1 box.max = (0.5, 1, 0)",
+        got="node 1 box.max = (0.25, 1, 0)",
     )
 
 
@@ -181,8 +211,9 @@ def first_hit_wins() -> CheckScore:
         wrong=61,
         examined=4000,
         message="61 of 4,000 wrong, first in `nested`: ray 17: a closer hit was missed",
-        expected="t = 1.5",
-        got="t = 2.5",
+        expected="t = 1.25",
+        got="t = 2.25",
+        counterexample=small_trace(),
     )
 
 

@@ -112,7 +112,11 @@ def test_the_shape_is_the_contract() -> None:
         "blocked_by": None,
         "stop": "finished",
         "location": {"file": "src/exercise03.cpp", "line": 7, "function": "boxOf"},
-        "counterexample": None,
+        "counterexample": {
+            "faces": 5,
+            "rays": 0,
+            "file": "counterexamples/bvh.boxes-are-tight.json",
+        },
         "seconds": None,
     }
 

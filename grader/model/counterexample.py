@@ -1,0 +1,50 @@
+"""What a student is shown of the smallest input that fails a check."""
+
+from dataclasses import dataclass
+
+from grader.model.trials import Trial
+
+
+@dataclass(frozen=True, slots=True)
+class Column:
+    """One node of a table: what is expected there, and what is there."""
+
+    node: int
+    expected: str
+    got: str
+
+
+@dataclass(frozen=True, slots=True)
+class NodeTable:
+    """A tree as the sheet's figure shows one: nodes above, face indices below."""
+
+    columns: tuple[Column, ...]
+    expected_faces: str
+    got_faces: str
+    """Empty where there is nothing to compare: the tree is ours."""
+
+    first_difference: int
+    """Index into `columns`; -1 if there is none."""
+
+
+@dataclass(frozen=True, slots=True)
+class Counterexample:
+    """A reduced case that fails a check; the model solution passes it."""
+
+    check: str
+    trial: Trial
+    faces: int
+    """Of its mesh, or of both together if there are two."""
+
+    rays: int
+    found_in: str
+    """Name of the trial that it was reduced from."""
+
+    message: str
+    expected: str
+    got: str
+    explanation: str = ""
+    """Where in the tree a hit was lost; empty if nothing is known."""
+
+    table: NodeTable | None = None
+    """None for larger meshes."""
