@@ -99,10 +99,12 @@ def _blame(failed: _Linked, framework: Workspace, work: Compilation) -> None:
         return
     own = Submission("reference", SOURCE_NAME, reference_source().read_bytes(), "")
     aside = prepared(own, replace(work, folder=work.folder / "control"))
-    control = _link(framework, aside, GRADED.name)
-    if control.library is None:
-        words = "; ".join(message.text for message in control.diagnostics[:3])
-        raise BuildFault(f"the compiler does not get through our own solution either: {words}")
+    command = (*framework.compile_command, SOURCE_NAME, *framework.link_words)
+    outcome, content = _made(command, framework, aside, f"{GRADED.name}.so")
+    if content is None:
+        words = outcome.err.decode(errors="replace").strip()[-500:]
+        message = f"the compiler does not get through our own solution either: {words}"
+        raise BuildFault(message)
 
 
 def prepared(submission: Submission, work: Compilation) -> Compilation:

@@ -23,9 +23,14 @@ PATIENCE_SECONDS = 30.0
 _REPORT = re.compile(rb'"child-pid"\s*:\s*(\d{1,10})')
 
 
-@cache
 def adopt_orphans() -> None:
     """Make orphaned descendants children of this process, from now on."""
+    _adopt_orphans_of(os.getpid())
+
+
+@cache
+def _adopt_orphans_of(pid: int) -> None:
+    """For each process anew: a fork knows what its parent has called, but has not its right."""
     ctypes.CDLL(None).prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
 
 

@@ -9,7 +9,7 @@ import json
 import time
 import tomllib
 import unicodedata
-from collections.abc import Generator
+from collections.abc import Callable, Generator
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -20,6 +20,7 @@ from rich.console import Console
 
 from grader import pipeline
 from grader.build import compile as building
+from grader.build.diagnostics import SOURCE_NAME
 from grader.build.workspace import GRADED
 from grader.model.grade import Grade
 from grader.model.stages import Ending, Stop
@@ -52,6 +53,15 @@ _SANITIZED = ("bvh.memory-is-safe", "hits.memory-is-safe", "bvh.depth-is-limited
 _DIRECTION = set("\u061c\u200e\u200f\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069")
 
 
+def each_in_one_process() -> list[Any]:
+    """Both levels of an attack in the same process, so that it is compiled once."""
+    return [
+        pytest.param(attack, marks=pytest.mark.xdist_group(name), id=name)
+        for attack in every_attack()
+        if (name := attack.path.stem)
+    ]
+
+
 @pytest.fixture(scope="session")
 def warm(cache: Path) -> None:
     """Compile the framework and the reference before any clock runs."""
@@ -69,8 +79,8 @@ def witness(warm: None, monkeypatch: pytest.MonkeyPatch) -> Generator[Witness]:
         yield witness
 
 
-@pytest.mark.parametrize("attack", every_attack(), ids=lambda attack: attack.path.stem)
 @pytest.mark.parametrize("level", ["A", "B"])
+@pytest.mark.parametrize("attack", each_in_one_process())
 def test_an_attack_gets_nowhere(
     level: str, attack: Attack, witness: Witness, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -146,18 +156,53 @@ def observed(monkeypatch: pytest.MonkeyPatch) -> list[Ending]:
 
 
 def lean(attack: Attack, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Leave out of a grade what none of its checks looks at."""
-    link = building._link
+    """Leave out of a grade what none of its checks looks at, and compile what can be once.
+
+    What attacks the compiler meets it at each level.
+    """
+    link, graph = building._link, building.call_graph
     sanitized = bool({*_SANITIZED} & {*attack.checks})
 
     def one_flavour(framework: Any, work: Any, name: str) -> Any:  # noqa: ANN401 - passes through
         if name != GRADED.name and not sanitized:
             return building._Linked(None, ())
-        return link(framework, work, name)
+        if not attack.compiles:
+            return link(framework, work, name)
+        found = once(name, work, lambda: _taken(link(framework, work, name)))
+        return _given(work, name, *found)
+
+    def listed(framework: Any, work: Any) -> Any:  # noqa: ANN401 - passes through
+        if "source.construct-loops" not in attack.checks:
+            return None
+        return once("graph", work, lambda: graph(framework, work))
 
     monkeypatch.setattr(building, "_link", one_flavour)
-    if "source.construct-loops" not in attack.checks:
-        monkeypatch.setattr(building, "call_graph", lambda *_: None)
+    monkeypatch.setattr(building, "call_graph", listed)
+
+
+MADE: dict[tuple[str, bytes], Any] = {}
+"""What was made of each source of this process."""
+
+
+def once(name: str, work: Any, make: Callable[[], Any]) -> Any:  # noqa: ANN401 - passes through
+    """Make something of a source, or give what was made before."""
+    key = (name, (work.folder / SOURCE_NAME).read_bytes())
+    if key not in MADE:
+        MADE[key] = make()
+    return MADE[key]
+
+
+def _taken(linked: Any) -> tuple[bytes | None, Any]:  # noqa: ANN401 - passes through
+    return linked.library and linked.library.read_bytes(), linked.diagnostics
+
+
+def _given(work: Any, name: str, content: bytes | None, diagnostics: Any) -> Any:  # noqa: ANN401 - passes through
+    if content is None:
+        return building._Linked(None, diagnostics)
+    library = work.folder / "libraries" / f"{name}.so"
+    library.write_bytes(content)
+    library.chmod(0o644)
+    return building._Linked(library, diagnostics)
 
 
 def rubric_of(attack: Attack) -> str:

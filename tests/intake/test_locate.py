@@ -247,8 +247,8 @@ BOMBS = [
     zipped([(f"{number}{LONG}", b"") for number in range(9000)]),
     tarred([(f"{number}/{NAME}", bytes(2**20)) for number in range(60)]),
     tarred([(NAME, bytes(2**26))]),
-    gzip.compress(tar_entry(b"x", b"1" * 2**26, b"x")),
-    gzip.compress(tar_entry(b"L", b"1" * 2**26, b"L")),
+    gzip.compress(tar_entry(b"x", b"1" * 2**26, b"x"), mtime=0),
+    gzip.compress(tar_entry(b"L", b"1" * 2**26, b"L"), mtime=0),
 ]
 
 

@@ -114,6 +114,31 @@ def test_no_zombie_is_left(isolation: Isolation, token: str) -> None:
     assert with_word(token) == set()
 
 
+FORKED = """
+import os
+from grader.sandbox.selftest import proved_isolation
+from tests.sandbox.boxes import as_worker
+from tests.sandbox.census import zombies
+isolation = proved_isolation("A")
+if (child := os.fork()) == 0:
+    outcome = as_worker(isolation, "while time.process_time() < 0.3: pass")
+    os._exit(0 if outcome.cpu_seconds >= 0.3 else 1)
+print(os.waitpid(child, 0)[1], zombies())
+"""
+
+
+def test_a_fork_of_a_grader_reaps_its_own_boxes(cache: Path) -> None:
+    """Else zombies stay with its parent, count against others, and nobody learns their time."""
+    process = subprocess.run(
+        [sys.executable, "-c", FORKED],
+        env={**os.environ, "BVHGRADE_CACHE": str(cache), "PYTHONPATH": PATH},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert process.stdout == "0 set()\n"
+
+
 GRADER = """
 import os, sys, threading, time
 from pathlib import Path
