@@ -58,6 +58,9 @@ class Options:
     isolated: bool = True
     """False only if the caller insists on running code without isolation."""
 
+    for_student: bool = False
+    """Leave out whatever the rubric hides from students."""
+
 
 def grade_one(path: Path, options: Options) -> Grade:
     """Grade one submission.
@@ -66,7 +69,7 @@ def grade_one(path: Path, options: Options) -> Grade:
         UsageError: The path, the rubric or the name of a check is wrong.
         GraderError: Our own fault; nothing is concluded about the submission.
     """
-    selection = select(options.rubric, options.only)
+    selection = select(options.rubric, options.only, options.for_student)
     limits = selection.rubric.limits
     level = _isolation(options).level
     summary = Summary(selection, options.seed, options.progress, level.value)

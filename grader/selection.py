@@ -1,8 +1,8 @@
 """Which checks and trials does a run need?"""
 
 import difflib
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from grader.errors import UsageError
@@ -24,6 +24,9 @@ class Selection:
     checks: tuple[Check, ...]
     """All checks to decide, those included that others need."""
 
+    hidden: tuple[str, ...] = ()
+    """Checks of the rubric that are not run, because a student is not to see them."""
+
     def useful(self, trials: Sequence[Trial]) -> tuple[Trial, ...]:
         """Leave out the trials that no check of this run looks at."""
         return tuple(
@@ -33,43 +36,71 @@ class Selection:
         )
 
 
-def select(rubric_path: Path | None, only: Sequence[str]) -> Selection:
+def select(
+    rubric_path: Path | None, only: Sequence[str], for_student: bool = False
+) -> Selection:
     """Read the rubric and choose the checks.
 
     Args:
         rubric_path: The instructor's rubric; None for the shipped one.
         only: Ids of the checks to score; all of the rubric if empty.
+        for_student: Leave out what the rubric hides, so that nothing of it is run or told.
 
     Raises:
-        UsageError: The rubric is wrong, or an id does not exist.
+        UsageError: The rubric is wrong, or an id does not exist or is hidden.
     """
-    rubric = load_rubric(rubric_path)
-    checks = every_check()
+    rubric, checks = load_rubric(rubric_path), every_check()
     known = [criterion.check for criterion in rubric.criteria]
+    hidden = _hidden(rubric, checks) if for_student else frozenset()
     for id in only:
-        if id not in known:
-            near = ", ".join(difflib.get_close_matches(id, known, 3, 0.3)) or ", ".join(known)
-            raise UsageError(f"--only {id}: there is no such check, but perhaps {near}")
-    gates = [criterion.check for criterion in rubric.criteria if criterion.gate]
-    wanted = _with_needs(checks, {*only, *gates} if only else set(known))
+        _require_shown(id, known, hidden)
+    shown = [criterion for criterion in rubric.criteria if criterion.check not in hidden]
+    if not shown:
+        raise UsageError("the rubric hides every check, so there is nothing to run")
+    gates = [criterion.check for criterion in shown if criterion.gate]
+    wanted = {*only, *gates} if only else {one.check for one in shown}
+    wanted = _closure({each.id: (*each.needs, *each.blames) for each in checks}, wanted)
     criteria = tuple(
         criterion
-        for criterion in rubric.criteria
+        for criterion in shown
         if not only or criterion.check in only or (criterion.gate and not criterion.points)
     )
     return Selection(
-        Rubric(criteria, rubric.titles, rubric.limits, rubric.leaf_rule, rubric.sha256),
+        replace(rubric, criteria=criteria),
         tuple(each for each in checks if each.id in wanted),
+        tuple(one.check for one in rubric.criteria if one.check in hidden),
     )
 
 
-def _with_needs(checks: Sequence[Check], wanted: set[str]) -> set[str]:
-    """Add what the wanted checks need, and what those need."""
-    needs = {each.id: each.needs for each in checks}
-    waiting = list(wanted)
+def _require_shown(id: str, known: Sequence[str], hidden: frozenset[str]) -> None:
+    """Accept only a check that can be run."""
+    if id not in known:
+        near = ", ".join(difflib.get_close_matches(id, known, 3, 0.3)) or ", ".join(known)
+        raise UsageError(f"--only {id}: there is no such check, but perhaps {near}")
+    if id in hidden:
+        raise UsageError(f"--only {id}: the rubric hides this check, so it is not run here")
+
+
+def _hidden(rubric: Rubric, checks: Sequence[Check]) -> frozenset[str]:
+    """Name the checks that a student does not see, and those that would tell of them.
+
+    A check that waits for a hidden one says by waiting that the hidden one fails.
+    """
+    waits: dict[str, list[str]] = {}
+    for each in checks:
+        for other in (*each.needs, *each.blames):
+            waits.setdefault(other, []).append(each.id)
+    secret = {one.check for one in rubric.criteria if one.visibility != "visible"}
+    return frozenset(_closure(waits, secret))
+
+
+def _closure(links: Mapping[str, Iterable[str]], start: Iterable[str]) -> set[str]:
+    """Return the names of `start`, those that they lead to, and those that these lead to."""
+    found = set(start)
+    waiting = list(found)
     while waiting:
-        for need in needs.get(waiting.pop(), ()):
-            if need not in wanted:
-                wanted.add(need)
-                waiting.append(need)
-    return wanted
+        for name in links.get(waiting.pop(), ()):
+            if name not in found:
+                found.add(name)
+                waiting.append(name)
+    return found

@@ -170,11 +170,16 @@ class Summary:
 
     def _remarked(self, build: Build | None) -> Build | None:
         """Add what is worth knowing of the run and costs nothing."""
-        if build is None or not self._flooded:
-            return build
-        limit = self._selection.rubric.limits.output_kib
-        text = f"it prints more than {limit} KiB in one run; the rest was dropped"
-        return replace(build, remarks=(text,))
+        if build is None:
+            return None
+        remarks = list(build.remarks)
+        if self._flooded:
+            limit = self._selection.rubric.limits.output_kib
+            remarks.append(f"it prints more than {limit} KiB in one run; the rest was dropped")
+        if hidden := self._selection.hidden:
+            names = ", ".join(hidden)
+            remarks.append(f"the rubric hides these checks, so they were not run: {names}")
+        return replace(build, remarks=tuple(remarks))
 
     def _provenance(self, build: Build | None) -> Provenance:
         return Provenance(

@@ -18,6 +18,7 @@ from grader.pipeline import Options, grade_one
 from grader.report.as_json import schema_text, to_json
 from grader.resources import reference_source, stub_folder
 from grader.sandbox.selftest import proved_isolation
+from grader.score.rubric import SHIPPED
 from grader.selection import select
 from grader.solution import Solution
 from grader.verify import every_check
@@ -26,9 +27,12 @@ from grader.verify.planned import planned_cases
 LEVELS = {"B": "landlock+seccomp", "none": "none"}
 
 
-def graded(path: Path, *only: str, rubric: Path | None = None) -> Grade:
+def graded(
+    path: Path, *only: str, rubric: Path | None = None, for_student: bool = False
+) -> Grade:
     """Grade a path with the default seed."""
-    return grade_one(path, Options(41, rubric, only, lambda *_: None))
+    options = Options(41, rubric, only, lambda *_: None, for_student=for_student)
+    return grade_one(path, options)
 
 
 @cache
@@ -172,3 +176,20 @@ def test_the_reading_full_levels_accepts_leaves_of_nine(tmp_path: Path) -> None:
     rubric.write_text(text.replace('leaf_rule = "sheet"', 'leaf_rule = "full-levels"'))
     grade = graded(corpus_folder() / "wrong" / "stops-at-last-full-level.cpp", rubric=rubric)
     assert grade.parts[0].score == 25, [one for one in grade.checks if one.message]
+
+
+def test_a_hidden_check_leaves_no_trace_in_a_student_s_result(tmp_path: Path) -> None:
+    """Two submissions that only a hidden check tells apart come to the same result."""
+    check = 'check = "bvh.boxes-are-tight"\n'
+    rubric = tmp_path / "rubric.toml"
+    rubric.write_text(SHIPPED.read_text().replace(check, f'{check}visibility = "hidden"\n'))
+    only = ("bvh.leaves-hold-at-most-four", "bvh.depth-is-limited")
+    results = []
+    for path in (HERE / "wrong" / "boxes-third-vertex-twice.cpp", reference_source()):
+        result = comparable(graded(path, *only, rubric=rubric, for_student=True))
+        del result["submission"]
+        results.append(result)
+    assert results[0] == results[1]
+    assert results[0]["score"] == results[0]["max_score"]
+    text = json.dumps(results[0])
+    assert text.count("bvh.boxes-are-tight") == 1, "only the note says that it was not run"

@@ -2,9 +2,10 @@
 
 import shlex
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from datetime import datetime
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
 
 import click
 from click.exceptions import Exit
@@ -39,6 +40,8 @@ class Order:
     isolated: bool
     hints: int = 1
     """How much is said beyond the facts, 0 to 3."""
+    for_student: bool = False
+    """Whether what the rubric hides is left out."""
 
 
 submission_type = click.Path(exists=True, path_type=Path)
@@ -82,20 +85,24 @@ unsafe_option = click.option(
 @time_option
 @hints_option
 @unsafe_option
-def check(submission: Path | None, **given: Any) -> None:  # noqa: ANN401 - click's own
+@click.option("--watch", is_flag=True, help="Run again at every save, one problem at a time.")
+def check(submission: Path | None, watch: bool, **given: Any) -> None:  # noqa: ANN401 - click's own
     """Grade your own code and explain what is wrong.
 
     SUBMISSION is a .cpp file, a folder or an archive that holds one exercise03.cpp. Without it,
     src/exercise03.cpp or student_stub/src/exercise03.cpp is taken.
 
-    Exit status: 0 full marks, 1 points were lost, 2 wrong usage, 3 the grader failed.
+    Exit status: 0 full marks, 1 points were lost, 2 wrong usage, 3 the grader failed; --watch
+    ends with Ctrl-C and 130.
     """
-    order = ordered(submission or usual_place(), given)
+    order = replace(ordered(submission or usual_place(), given), for_student=True)
     folder = own_folder()
-    result = graded(order, hidden=False)
+    if watch:
+        watch_over(order, folder)
+    result = graded(order)
     written = stored(folder, result)
     with patient_stdout():
-        report(result, order, written, tell_hidden=False)
+        report(result, order, written)
     raise Exit(status_of_check(result, order.only))
 
 
@@ -131,13 +138,13 @@ def grade(submission: Path, output: Path, quiet: bool, **given: Any) -> None:  #
     """
     order = ordered(submission, given)
     folder = ready(output)
-    result = graded(order, hidden=True)
+    result = graded(order)
     written = stored(folder, result)
     with patient_stdout():
         if quiet:
             click.echo(points_only(result))
         else:
-            report(result, order, written, tell_hidden=True)
+            report(result, order, written)
     raise Exit(OUR_FAULT if is_withheld(result) else FULL_MARKS)
 
 
@@ -177,13 +184,8 @@ def own_folder() -> Path:
         return ready(cache_folder() / OUTPUT)
 
 
-def graded(order: Order, hidden: bool) -> Grade:
-    """Run the pipeline with a bar that shows how far it is.
-
-    Args:
-        order: What to grade.
-        hidden: Whether inputs of checks that the rubric hides may be looked for and written.
-    """
+def graded(order: Order) -> Grade:
+    """Run the pipeline with a bar that shows how far it is."""
     from grader.pipeline import Options, grade_one
 
     with shown_progress() as progress, interruptible():
@@ -194,8 +196,9 @@ def graded(order: Order, hidden: bool) -> Grade:
             progress,
             order.time_limit,
             counterexamples=True,
-            hidden=hidden,
+            hidden=not order.for_student,
             isolated=order.isolated,
+            for_student=order.for_student,
         )
         return grade_one(order.path, options)
 
@@ -224,7 +227,7 @@ def store_counterexamples(folder: Path, result: Grade) -> None:
             path.unlink()
 
 
-def report(result: Grade, order: Order, written: Path, tell_hidden: bool) -> None:
+def report(result: Grade, order: Order, written: Path) -> None:
     """Print what people read."""
     from rich.console import Console
 
@@ -232,7 +235,28 @@ def report(result: Grade, order: Order, written: Path, tell_hidden: bool) -> Non
     from grader.report.terminal import print_grade
 
     console = Console()
-    print_grade(console, result, Occasion(repetition(order), written, tell_hidden, order.hints))
+    print_grade(console, result, Occasion(repetition(order), written, order.hints))
+
+
+def watch_over(order: Order, folder: Path) -> NoReturn:
+    """Grade at every save, until Ctrl-C.
+
+    Raises:
+        KeyboardInterrupt: At the end.
+    """
+    from rich.console import Console
+
+    from grader.cli.watching import Watch, watch
+    from grader.report.failure import Occasion
+    from grader.report.problem import print_problem
+
+    def tell(result: Grade, order: Order) -> None:
+        written = stored(folder, result)
+        click.echo(f"\n--- {datetime.now().astimezone():%H:%M:%S} ---")
+        print_problem(Console(), result, Occasion(repetition(order), written, order.hints))
+
+    click.echo(f"Watching {line_for_terminal(str(order.path))}; Ctrl-C ends.")
+    watch(order, Watch(graded, tell))
 
 
 def repetition(order: Order) -> str:

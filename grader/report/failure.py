@@ -27,9 +27,6 @@ class Occasion:
     written: Path | None = None
     """Where `result.json` lies."""
 
-    tell_hidden: bool = True
-    """Show checks that the rubric hides from students."""
-
     hints: int = WITH_CAUSE
     """How much is said beyond the facts, 0 to 3."""
 
@@ -56,7 +53,7 @@ def explain(sheet: Sheet, grade: Grade, score: CheckScore, occasion: Occasion) -
     look_at(sheet, grade, score)
     for label, text in hints(score, occasion.hints):
         sheet.beside(label, text, "cyan")
-    if occasion.command:
+    if occasion.command and score.visibility == "visible":
         sheet.command("again", f"{occasion.command} --only {score.check}")
 
 

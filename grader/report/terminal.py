@@ -34,7 +34,7 @@ def print_grade(console: Console, grade: Grade, occasion: Occasion) -> None:
         sheet.blank()
         uncompiled(sheet, grade)
     else:
-        every_part(sheet, grade, occasion)
+        every_part(sheet, grade)
         every_fault(sheet, grade)
         worst_failure(sheet, grade, occasion)
     sheet.blank()
@@ -89,7 +89,7 @@ def uncompiled(sheet: Sheet, grade: Grade) -> None:
         sheet.say(f"{waiting} checks wait until it compiles.", "dim")
 
 
-def every_part(sheet: Sheet, grade: Grade, occasion: Occasion) -> None:
+def every_part(sheet: Sheet, grade: Grade) -> None:
     """Write each part with its checks, and before them those that belong to no part."""
     idle, unknown = unstarted(grade), withheld(grade)
     known = {part.part for part in grade.parts}
@@ -97,7 +97,7 @@ def every_part(sheet: Sheet, grade: Grade, occasion: Occasion) -> None:
     if shared:
         sheet.blank()
     for score in shared:
-        check_line(sheet, score, worth(score, unknown), occasion)
+        check_line(sheet, score, worth(score, unknown))
     for part in grade.parts:
         scores = [score for score in grade.checks if score.part == part.part]
         if not scores:
@@ -108,7 +108,7 @@ def every_part(sheet: Sheet, grade: Grade, occasion: Occasion) -> None:
             sheet.say(idle[part.part], "yellow", indent=2)
             continue
         for score in scores:
-            check_line(sheet, score, worth(score, unknown), occasion)
+            check_line(sheet, score, worth(score, unknown))
 
 
 def part_line(sheet: Sheet, part: PartScore, unknown: bool) -> None:
@@ -127,12 +127,8 @@ def worth(score: CheckScore, unknown: frozenset[str]) -> str:
     return points(score.score, score.max_score) if score.max_score else "gate"
 
 
-def check_line(sheet: Sheet, score: CheckScore, earned: str, occasion: Occasion) -> None:
+def check_line(sheet: Sheet, score: CheckScore, earned: str) -> None:
     """Write one check on one line: sign, name, as much of the statement as fits, points."""
-    if score.visibility != "visible" and not occasion.tell_hidden:
-        line = Text("  ").append(f"{score.check} is hidden by the rubric", "dim")
-        sheet.spread(line, Text())
-        return
     sign = sheet.glyphs.mark(score.verdict)
     name = score.check.ljust(NAME_COLUMN if sheet.width >= COLUMNS_FROM else 0)
     line = Text.assemble("  ", (f"{sign} ", STYLES[score.verdict]), name)
@@ -161,7 +157,7 @@ def every_fault(sheet: Sheet, grade: Grade) -> None:
 def worst_failure(sheet: Sheet, grade: Grade, occasion: Occasion) -> None:
     """Explain the failure that costs most."""
     score = worst(grade)
-    if score is None or (score.visibility != "visible" and not occasion.tell_hidden):
+    if score is None:
         return
     sheet.blank()
     explain(sheet, grade, score, occasion)

@@ -93,6 +93,9 @@ class _Running:
         with self._lock:
             self._children.discard(child.pid)
 
+    def again(self) -> None:
+        self._stopped.clear()
+
     def stop(self) -> None:
         self._stopped.set()
         # Without the lock: this runs in a signal handler, whose thread may hold it.
@@ -107,6 +110,11 @@ _running = _Running()
 def stop_everything() -> None:
     """End every process that was started, and start no more; safe in a signal handler."""
     _running.stop()
+
+
+def start_again() -> None:
+    """Let processes be started after `stop_everything`, once all that it ended is gone."""
+    _running.again()
 
 
 def launch(order: Order) -> Outcome:

@@ -34,6 +34,9 @@ class Check:
 
     decide: Callable[[Any], Evidence]
 
+    blames: tuple[str, ...] = ()
+    """Checks that `decide` may name as the reason that it could not look at a case."""
+
 
 def always(_: object) -> bool:
     """Every trial of its kind gives a check something to examine."""
@@ -45,6 +48,7 @@ def check(
     id: str,
     needs: tuple[str, ...] = (),
     when: Callable[[Any], bool] = always,
+    blames: tuple[str, ...] = (),
 ) -> Callable[[Callable[[CaseT], Evidence]], Check]:
     """Turn a function from a case to evidence into a `Check`; registers nothing.
 
@@ -53,11 +57,12 @@ def check(
         id: `topic.statement-in-kebab-case`, the statement as it is when it is right.
         needs: Ids of the checks that must hold before this one can be decided.
         when: Tells of a trial whether it is one for this check.
+        blames: Ids that its evidence may be `hidden_by`; they are decided beside it.
     """
 
     def declare(decide: Callable[[CaseT], Evidence]) -> Check:
         title = (decide.__doc__ or "").strip().split("\n")[0].rstrip(".")
-        return Check(id=id, kind=kind, title=title, needs=needs, when=when, decide=decide)
+        return Check(id, kind, title, needs, when, decide, blames)
 
     return declare
 

@@ -14,7 +14,13 @@ AXES = "xyz"
 MEDIAN = "bvh.splits-at-the-median"
 
 
-@check(TreeCase, "bvh.splits-the-longest-axis", needs=READABLE, when=needs_a_split)
+@check(
+    TreeCase,
+    "bvh.splits-the-longest-axis",
+    needs=READABLE,
+    when=needs_a_split,
+    blames=(MEDIAN,),
+)
 def splits_the_longest_axis(case: TreeCase) -> Evidence:
     """Every node is divided along the axis on which its box is largest.
 

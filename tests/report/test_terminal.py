@@ -113,15 +113,12 @@ def test_a_file_that_does_not_compile_is_not_called_unstarted() -> None:
     assert "not started" not in printed(replace(grade, parts=parts), Screen()).decode()
 
 
-def test_what_the_rubric_hides_is_not_explained_to_students() -> None:
-    """The check is named, its verdict is not."""
+def test_a_hidden_check_is_not_offered_for_a_run_of_its_own() -> None:
+    """`check` does not run what the rubric hides; who graded it for a course sees its words."""
     hidden = replace(samples.first_hit_wins(), visibility="hidden")
-    grade = samples.changed(c7=hidden)
-    student = printed(grade, Screen(), replace(OCCASION, tell_hidden=False)).decode()
-    teacher = printed(grade, Screen()).decode()
-    assert "hits.closest-wins is hidden by the rubric" in student
-    assert "closer hit" not in student
-    assert "closer hit" in teacher
+    report = printed(samples.changed(c7=hidden), Screen()).decode()
+    assert "closer hit" in report
+    assert "--only hits.closest-wins" not in report
 
 
 def test_an_isolated_run_is_not_called_unisolated() -> None:

@@ -1,0 +1,108 @@
+"""Which checks and trials a run has: what a rubric drops, and what it hides from students."""
+
+from pathlib import Path
+
+import pytest
+
+from grader.errors import UsageError
+from grader.score.rubric import SHIPPED
+from grader.selection import Selection, select
+from grader.verify import every_check
+from tests.verify.trials import every_trial
+
+EVERY = [each.id for each in every_check()]
+
+
+def hiding(folder: Path, *checks: str, how: str = "hidden") -> Path:
+    """Write the shipped rubric with some checks hidden."""
+    text = SHIPPED.read_text()
+    for check in checks:
+        head, found, tail = text.partition(f'check = "{check}"\n')
+        assert found
+        text = f'{head}{found}visibility = "{how}"\n{tail}'
+    path = folder / "rubric.toml"
+    path.write_text(text)
+    return path
+
+
+def run(selection: Selection) -> list[str]:
+    """Ids of the checks that are decided."""
+    return [each.id for each in selection.checks]
+
+
+def scored(selection: Selection) -> list[str]:
+    """Ids of the checks that a result tells of."""
+    return [criterion.check for criterion in selection.rubric.criteria]
+
+
+@pytest.mark.parametrize("how", ["hidden", "after_due_date"])
+def test_a_student_s_run_leaves_out_what_is_hidden(tmp_path: Path, how: str) -> None:
+    """It is neither decided nor told of; a teacher's run has everything."""
+    rubric = hiding(tmp_path, "bvh.boxes-are-tight", "image.equals-mitsuba", how=how)
+    student, teacher = select(rubric, (), for_student=True), select(rubric, ())
+    rest = [id for id in EVERY if id not in ("bvh.boxes-are-tight", "image.equals-mitsuba")]
+    assert run(student) == rest
+    assert set(scored(student)) == set(rest)
+    assert student.hidden == ("bvh.boxes-are-tight", "image.equals-mitsuba")
+    assert run(teacher) == EVERY
+    assert set(scored(teacher)) == set(EVERY)
+    assert teacher.hidden == ()
+
+
+def test_trials_of_hidden_checks_are_not_run(tmp_path: Path) -> None:
+    """No input that only a hidden check looks at reaches a student's machine code."""
+    of_rebuild = ("bvh.rebuild-starts-afresh", "bvh.survives-every-mesh")
+    student = select(hiding(tmp_path, *of_rebuild), (), for_student=True)
+    kinds = {type(trial).__name__ for trial in student.useful(every_trial())}
+    assert kinds == {
+        "ConstructTrial",
+        "TraceTrial",
+        "AlteredTrial",
+        "WorkTrial",
+        "RepeatTrial",
+        "ImageTrial",
+    }
+
+
+@pytest.mark.parametrize(
+    ("hidden", "lost"),
+    [
+        ("bvh.splits-at-the-median", {"bvh.splits-the-longest-axis"}),
+        ("hits.closest-wins", set()),
+        (
+            "work.uses-the-tree",
+            {id for id in EVERY if id.startswith(("hits.", "image."))}
+            - {"hits.memory-is-safe", "hits.survives-every-ray"},
+        ),
+    ],
+)
+def test_what_waits_for_a_hidden_check_is_hidden_too(
+    tmp_path: Path, hidden: str, lost: set[str]
+) -> None:
+    """By waiting it would say that the hidden one fails."""
+    student = select(hiding(tmp_path, hidden), (), for_student=True)
+    assert set(student.hidden) == {hidden} | lost
+    assert set(run(student)) == set(EVERY) - {hidden} - lost
+
+
+def test_a_hidden_check_cannot_be_asked_for(tmp_path: Path) -> None:
+    """Neither it nor what waits for it; a teacher may."""
+    rubric = hiding(tmp_path, "bvh.splits-at-the-median")
+    for id in ("bvh.splits-at-the-median", "bvh.splits-the-longest-axis"):
+        with pytest.raises(UsageError, match="hides this check"):
+            select(rubric, (id,), for_student=True)
+        assert id in scored(select(rubric, (id,)))
+
+
+def test_a_rubric_that_hides_everything_leaves_nothing_to_run(tmp_path: Path) -> None:
+    """That is said, and not graded as zero of zero."""
+    rubric = hiding(tmp_path, *EVERY)
+    with pytest.raises(UsageError, match="hides every check"):
+        select(rubric, (), for_student=True)
+
+
+def test_what_may_be_named_as_a_reason_is_decided_too() -> None:
+    """Else a tree without any order would be our own fault, and the score withheld."""
+    only = select(None, ("bvh.splits-the-longest-axis",))
+    assert "bvh.splits-at-the-median" in run(only)
+    assert "bvh.splits-at-the-median" not in scored(only)
