@@ -11,6 +11,7 @@ from grader.model.cases import Case, TreeCase
 from grader.model.mesh import Bvh, Floats, Mesh
 from grader.model.trials import ConstructTrial
 from grader.model.verdict import Finding, Verdict
+from grader.tolerances import MAX_DEPTH
 from grader.verify import every_check
 from grader.verify.engine import Examiner
 
@@ -48,8 +49,15 @@ class Reading:
     """How many faces the middle lies too far to the right."""
 
     leaf: int = 4
+    depth: int = MAX_DEPTH
+    """Deepest level, the root being level 0."""
+
     slots: int = 0
     """How many unused slots follow the last used node."""
+
+    free: int | None = None
+    """Seed of what is decided anew at every node: ties of axes and of centres, the side of the
+    odd face, the order of the faces of a leaf. None leaves it to the fields above."""
 
 
 def mesh_of(corners: npt.ArrayLike) -> Mesh:
@@ -74,15 +82,44 @@ def build(mesh: Mesh, reading: Reading | None = None) -> Bvh:
     ranges = {0: (0, len(order))}
     for i in itertools.takewhile(lambda i: i <= max(ranges), itertools.count()):
         begin, end = ranges.get(i, (0, 0))
-        if end - begin <= reading.leaf:
-            continue
+        here = _decided(reading, i)
         mine = order[begin:end]
+        if end - begin <= reading.leaf or (i + 1).bit_length() > reading.depth:
+            order[begin:end] = here.leaf(mine)
+            continue
         low, high = box(mesh, mine) if i else whole(mesh)
-        mine = mine[_ranked(centre[mine, reading.axis(high - low)], reading.ties_reversed)]
-        order[begin:end] = mine
-        middle = begin + (end - begin + reading.odd_left) // 2 + reading.shift
+        order[begin:end] = mine[here.ranked(centre[mine, here.axis(high - low)])]
+        middle = begin + (end - begin + here.odd_left) // 2 + reading.shift
         ranges[2 * i + 1], ranges[2 * i + 2] = (begin, middle), (middle, end)
     return _tree(mesh, order, ranges, reading.slots)
+
+
+@dataclass(frozen=True, slots=True)
+class Decided:
+    """What is done at one node where several ways are right."""
+
+    axis: Callable[[Floats], int]
+    ranked: Callable[[npt.NDArray[np.floating]], npt.NDArray[np.int64]]
+    odd_left: bool
+    leaf: Callable[[npt.NDArray[np.int64]], npt.NDArray[np.int64]]
+
+
+def _decided(reading: Reading, node: int) -> Decided:
+    """Decide for one node what the sheet leaves free."""
+    if reading.free is None:
+        return Decided(
+            reading.axis,
+            lambda key: _ranked(key, reading.ties_reversed),
+            reading.odd_left,
+            lambda faces: faces,
+        )
+    rng = np.random.default_rng([reading.free, node])
+    return Decided(
+        lambda extent: int(rng.choice(np.flatnonzero(extent == extent.max()))),
+        lambda key: np.lexsort((rng.random(len(key)), key)),
+        bool(rng.integers(2)),
+        lambda faces: rng.permutation(faces),
+    )
 
 
 def box(mesh: Mesh, chosen: npt.NDArray[np.integer]) -> tuple[Floats, Floats]:

@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from grader.model.cases import DepthCase, RebuildCase
-from grader.model.mesh import Bvh
+from grader.model.mesh import Bvh, Mesh
 from grader.model.trials import ConstructTrial, RebuildTrial
 from grader.model.verdict import Verdict
 from tests.verify.builder import (
@@ -56,12 +56,21 @@ def random_words(seed: int, count: int, most: int) -> list[int]:
     COUNTS,
 )
 def test_words_of_all_kinds_break_nothing(
-    mesh: object, nodes: list[int], order: list[int], node_count: int | None
+    mesh: Mesh, nodes: list[int], order: list[int], node_count: int | None
 ) -> None:
     """Every check comes to PASS, FAIL or BLOCKED, and garbage does not pass them all."""
-    assert isinstance(mesh, type(MESHES[0]))
     wrong = failed(mesh, from_words(nodes, order, node_count))
     assert wrong or len(mesh.faces) <= 4
+
+
+@given(st.sampled_from(MESHES), st.binary(max_size=2000), st.binary(max_size=200), COUNTS)
+def test_bytes_of_all_kinds_break_nothing(
+    mesh: Mesh, nodes: bytes, order: bytes, node_count: int | None
+) -> None:
+    """Nobody's memory is a right tree by chance, unless there is nothing to put into one."""
+    words = [np.frombuffer(part, "<u4", len(part) // 4) for part in (nodes, order)]
+    bvh = from_words(*(part.tolist() for part in words), node_count)
+    assert failed(mesh, bvh) or len(mesh.faces) == 0
 
 
 @given(

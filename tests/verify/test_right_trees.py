@@ -2,8 +2,12 @@
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
+from grader.model.cases import DepthCase
 from grader.model.mesh import Bvh, Floats, Mesh
+from grader.model.trials import ConstructTrial
 from grader.model.verdict import Verdict
 from tests.verify.builder import (
     CENTRES,
@@ -88,6 +92,45 @@ def test_every_allowed_reading_passes(mesh: Mesh, centre: str, other: bool) -> N
     axis = last_of_the_longest if other else Reading().axis
     reading = Reading(CENTRES[centre], axis, odd_left=other, ties_reversed=other)
     assert failed(mesh, build(mesh, reading)) == set()
+
+
+def of_whole_numbers(faces: int, seed: int, reach: int) -> Mesh:
+    """Scatter triangles with few different coordinates: ties of axes and centres everywhere."""
+    rng = np.random.default_rng(seed)
+    return mesh_of(rng.integers(-reach, reach + 1, (faces, 3, 3)))
+
+
+ANY_MESH = st.one_of(
+    st.builds(soup, st.integers(1, 90), st.integers(0, 99), st.sampled_from([1, 1e-3, 1e4])),
+    st.builds(of_whole_numbers, st.integers(1, 90), st.integers(0, 99), st.integers(0, 3)),
+    st.sampled_from(list(MESHES.values())),
+)
+SEEDS = st.integers(0, 2**32 - 1)
+
+
+@given(ANY_MESH, SEEDS, st.sampled_from(list(CENTRES)), st.integers(0, 40))
+def test_every_freedom_at_every_node_passes(
+    mesh: Mesh, free: int, centre: str, slots: int
+) -> None:
+    """Each node decides anew about ties, odd faces and the order of its faces."""
+    reading = Reading(CENTRES[centre], slots=slots, free=free)
+    assert failed(mesh, build(mesh, reading)) == set()
+
+
+@settings(max_examples=15)
+@given(st.integers(257, 300), SEEDS, st.sampled_from([5, 6]))
+def test_the_root_is_level_zero_or_one(faces: int, free: int, depth: int) -> None:
+    """Both ways of counting levels end at the limit; a level more or less does not."""
+    mesh = soup(faces)
+    trial = ConstructTrial("deep", mesh, sanitized=True)
+
+    def verdict(depth: int) -> Verdict:
+        bvh = build(mesh, Reading(depth=depth, free=free))
+        return findings(DepthCase("deep", trial, bvh, 6))["bvh.depth-is-limited"].verdict
+
+    assert verdict(depth) is Verdict.PASS
+    assert verdict(4) is Verdict.FAIL
+    assert verdict(7) is Verdict.FAIL
 
 
 @pytest.mark.parametrize("slots", [1, 2, 3, 50])
