@@ -68,8 +68,10 @@ def test_bytes_of_all_kinds_break_nothing(
     mesh: Mesh, nodes: bytes, order: bytes, node_count: int | None
 ) -> None:
     """Nobody's memory is a right tree by chance, unless there is nothing to put into one."""
-    words = [np.frombuffer(part, "<u4", len(part) // 4) for part in (nodes, order)]
-    bvh = from_words(*(part.tolist() for part in words), node_count)
+    table, entries = (
+        np.frombuffer(part, "<u4", len(part) // 4).tolist() for part in (nodes, order)
+    )
+    bvh = from_words(table, entries, node_count)
     assert failed(mesh, bvh) or len(mesh.faces) == 0
 
 

@@ -61,7 +61,7 @@ def test_a_coordinate_of_a_box_is_owned_by_one_check(
     node = nodes[pick % len(nodes)]
     value = wrong_coordinate(getattr(right, corner)[node, axis], kind)
     assume(value != getattr(right, corner)[node, axis])
-    tree = changed(right, corner, (node, axis), value)
+    tree = changed(right, corner, (node, axis), float(value))
     assert failed(mesh, tree) == {BOXES if node else ROOT}
 
 
