@@ -76,6 +76,8 @@ def compile_submission(submission: Submission, order: Compilation) -> Build:
         if not compiled:
             pool.shutdown(wait=False, cancel_futures=True)
             _blame(linked, frameworks[0], work)
+        elif deep.result().library is None:
+            _blame(deep.result(), deep_framework, work)
     return Build(
         library=linked.library,
         # A file may insist on the real depth limit, by static_assert.
@@ -86,6 +88,7 @@ def compile_submission(submission: Submission, order: Compilation) -> Build:
         compiler=compiler.title,
         flags=_flags(frameworks[0]),
         seconds=time.monotonic() - started,
+        remarks=_unsanitized(deep.result()) if compiled else (),
     )
 
 
@@ -105,6 +108,16 @@ def _blame(failed: _Linked, framework: Workspace, work: Compilation) -> None:
         words = outcome.err.decode(errors="replace").strip()[-500:]
         message = f"the compiler does not get through our own solution either: {words}"
         raise BuildFault(message)
+
+
+def _unsanitized(linked: _Linked) -> tuple[str, ...]:
+    """Say why memory could not be checked; nothing if it could."""
+    if linked.library is not None:
+        return ()
+    errors = (each for each in linked.diagnostics if each.severity == "error")
+    first = next(errors, Diagnostic(0, 0, "error", "no reason is known"))
+    where = f"line {first.line}: " if first.line else ""
+    return (f"with sanitizers it does not compile, so memory is not safe: {where}{first.text}",)
 
 
 def prepared(submission: Submission, work: Compilation) -> Compilation:

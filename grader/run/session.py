@@ -3,7 +3,7 @@
 import math
 import re
 import signal
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from grader.model.grade import Limits
@@ -105,7 +105,10 @@ def carried_out(job: Job, engine: Engine, allowed: Allowance) -> tuple[Ending, R
         box = Box((entry.parent, engine.library), _bounds(engine, allowed))
         outcome = confined(target, box, entry, engine.isolation)
         result = Result(result_file, job.result_size)
-    return _ending(outcome, job, result, allowed), result
+    ending = _ending(outcome, job, result, allowed)
+    if engine.preload and outcome.code == SANITIZER_EXIT:
+        ending = _by_sanitizer(ending)
+    return ending, result
 
 
 def rows_done(job: Job, result: Result) -> int:
@@ -131,8 +134,6 @@ def _ending(outcome: Outcome, job: Job, result: Result, allowed: Allowance) -> E
     stop, detail = _stop(outcome, finished == job.row_count, status, result, allowed)
     text = outcome.err.decode("utf-8", errors="replace")
     finding, line = ("", 0) if stop is Stop.FINISHED else _read_finding(text)
-    if outcome.code == SANITIZER_EXIT and not finding and _EXHAUSTED.search(text):
-        stop, detail = Stop.OUT_OF_MEMORY, "asked for more memory than there is"
     return Ending(
         stop=stop,
         detail=detail,
@@ -144,6 +145,16 @@ def _ending(outcome: Outcome, job: Job, result: Result, allowed: Allowance) -> E
         by_clock=outcome.timed_out,
         delayed_seconds=outcome.delayed_seconds,
     )
+
+
+def _by_sanitizer(ending: Ending) -> Ending:
+    """Tell exhausted memory, and a report that the submission kept from us, from other ends."""
+    if not ending.finding and _EXHAUSTED.search(ending.output):
+        detail = "asked for more memory than there is"
+        return replace(ending, stop=Stop.OUT_OF_MEMORY, detail=detail)
+    if not ending.finding and "AddressSanitizer" not in ending.output:
+        return replace(ending, finding="an error, whose report went to a closed stderr")
+    return ending
 
 
 def _stop(

@@ -177,6 +177,18 @@ def test_a_file_that_insists_on_the_real_depth_is_sanitized(compiled: Compile) -
     assert build.sanitized
 
 
+def test_a_file_that_refuses_sanitizers_is_told_so(compiled: Compile) -> None:
+    """It is graded, its memory is not called safe, and a remark says why."""
+    refuses = '#ifdef __SANITIZE_ADDRESS__\n#error "not with me"\n#endif\n'
+    build = compiled(BEGIN + refuses + CONSTRUCT + INTERSECT)
+    assert build.library
+    assert build.sanitized is None
+    assert build.deep is None
+    (remark,) = build.remarks
+    assert "line 5: " in remark
+    assert "not with me" in remark
+
+
 HEAD = BEGIN + "#include <functional>\n" + INTERSECT
 GROW = "nodes.push_back(Node{mesh.getBounds(), 0, 0});"
 OPEN = f"void BVH::construct(const Mesh& mesh) {{ {GROW} faceIndices.resize(9); "

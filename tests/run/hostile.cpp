@@ -66,6 +66,7 @@ void BVH::construct(const Mesh& mesh) {
     case 19: claim(0, ~0ull); break;
     case 20: _exit(7);
     case 21: throw std::runtime_error(std::string(5000, 'y') + "\x1b[31m");
+    case 22: close(2); small[0] = small.data()[3]; break;
     default: break;
     }
     nodes.push_back(Node{mesh.getBounds(), 0, faces});

@@ -137,6 +137,13 @@ def test_sanitizers_name_the_finding_and_the_students_line(
     assert ending.line == line or not line
 
 
+def test_a_finding_without_its_report_is_still_one(hostile: tuple[Engine, Engine]) -> None:
+    """Who closes stderr keeps the words from us, not that the sanitizer ended the process."""
+    ending = constructed(hostile[1], 22)
+    assert ending.stop is Stop.CRASHED
+    assert ending.finding == "an error, whose report went to a closed stderr"
+
+
 @pytest.mark.parametrize("faces", [3, 4, 6, 9])
 def test_other_ends_of_the_sanitized_build_are_no_findings(
     hostile: tuple[Engine, Engine], faces: int
