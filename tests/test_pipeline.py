@@ -185,7 +185,10 @@ def test_a_hidden_check_leaves_no_trace_in_a_student_s_result(tmp_path: Path) ->
     rubric.write_text(SHIPPED.read_text().replace(check, f'{check}visibility = "hidden"\n'))
     only = ("bvh.leaves-hold-at-most-four", "bvh.depth-is-limited")
     results = []
-    for path in (HERE / "wrong" / "boxes-third-vertex-twice.cpp", reference_source()):
+    for path in (
+        corpus_folder() / "wrong" / "boxes-third-vertex-twice.cpp",
+        reference_source(),
+    ):
         result = comparable(graded(path, *only, rubric=rubric, for_student=True))
         del result["submission"]
         results.append(result)

@@ -11,10 +11,10 @@ from pathlib import Path
 
 import pytest
 
+from grader.certify.corpus import corpus_folder
 from grader.cli.watching import GONE, state_of
 from grader.resources import reference_source
 from tests.cli.test_processes import environment, stand_in
-from tests.submissions.corpus import HERE
 
 FILE = "exercise03.cpp"
 PATIENCE = 400.0
@@ -166,7 +166,7 @@ def test_states_tell_what_would_be_graded(tmp_path: Path) -> None:
 
 def test_a_real_run_follows_a_real_save(tmp_path: Path, cache: Path) -> None:
     """A mistake is explained, mended and found to be mended, by the whole grader."""
-    wrong = HERE / "wrong" / "boxes-padded.cpp"
+    wrong = corpus_folder() / "wrong" / "boxes-padded.cpp"
     (tmp_path / FILE).write_bytes(wrong.read_bytes())
     words = [sys.executable, "-m", "grader", "check", FILE, "--only", "bvh.boxes-are-tight"]
     with watching(tmp_path, ["env", f"BVHGRADE_CACHE={cache}", *words]) as printed:
