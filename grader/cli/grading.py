@@ -85,15 +85,14 @@ unsafe_option = click.option(
 @time_option
 @hints_option
 @unsafe_option
-@click.option("--watch", is_flag=True, help="Run again at every save, one problem at a time.")
+@click.option("--watch", is_flag=True, help="Run again at every save, until Ctrl-C.")
 def check(submission: Path | None, watch: bool, **given: Any) -> None:  # noqa: ANN401 - click's own
     """Grade your own code and explain what is wrong.
 
-    SUBMISSION is a .cpp file, a folder or an archive that holds one exercise03.cpp. Without it,
-    src/exercise03.cpp or student_stub/src/exercise03.cpp is taken.
+    SUBMISSION is a .cpp file, a folder or an archive that holds one exercise03.cpp; by default
+    exercise03.cpp in src or student_stub/src.
 
-    Exit status: 0 full marks, 1 points were lost, 2 wrong usage, 3 the grader failed; --watch
-    ends with Ctrl-C and 130.
+    Exit status: 0 full marks, 1 points were lost, 2 wrong usage, 3 the grader failed.
     """
     order = replace(ordered(submission or usual_place(), given), for_student=True)
     folder = own_folder()
