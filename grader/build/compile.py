@@ -47,6 +47,8 @@ class _Linked:
 
     library: Path | None
     diagnostics: tuple[Diagnostic, ...]
+    unexplained: bool = False
+    """The compiler ended early without a word about the source: is that the machine's fault?"""
 
 
 def compile_submission(submission: Submission, order: Compilation) -> Build:
@@ -75,7 +77,8 @@ def compile_submission(submission: Submission, order: Compilation) -> Build:
         compiled = linked.library is not None
         if not compiled:
             pool.shutdown(wait=False, cancel_futures=True)
-            _blame(linked, frameworks[0], work)
+            if linked.unexplained:
+                _blame(frameworks[0], work)
         elif deep.result().library is None:
             _blame(deep.result(), deep_framework, work)
     return Build(
@@ -92,14 +95,12 @@ def compile_submission(submission: Submission, order: Compilation) -> Build:
     )
 
 
-def _blame(failed: _Linked, framework: Workspace, work: Compilation) -> None:
-    """Make sure that it is the submission that fails, where no line of it is named.
+def _blame(framework: Workspace, work: Compilation) -> None:
+    """Make sure that it is the submission that the compiler does not get through.
 
     Raises:
         BuildFault: Our own solution does not compile now either: a full disk, or no process left.
     """
-    if any(message.line for message in failed.diagnostics if message.severity == "error"):
-        return
     own = Submission("reference", SOURCE_NAME, reference_source().read_bytes(), "")
     aside = prepared(own, replace(work, folder=work.folder / "control"))
     command = (*framework.compile_command, SOURCE_NAME, *framework.link_words)
@@ -175,9 +176,10 @@ def _link(framework: Workspace, work: Compilation, name: str) -> _Linked:
     outcome, content = _made(command, framework, work, product)
     messages = read_diagnostics(outcome.err)
     if content is None:
-        if not any(message.severity == "error" for message in messages):
+        silent = not any(message.severity == "error" for message in messages)
+        if silent:
             messages += (Diagnostic(0, 0, "error", why_stopped(outcome, work.limits)),)
-        return _Linked(None, messages)
+        return _Linked(None, messages, silent and not outcome.timed_out)
     library = work.folder / "libraries" / product
     library.write_bytes(content)
     library.chmod(0o644)
