@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 
 from grader.counterexample.narrow import Narrowing
 from grader.counterexample.probe import Effort, Probe, decided, sizes, steady
+from grader.errors import Interrupted
 from grader.model.counterexample import Counterexample
 from grader.model.grade import CheckScore, Grade
 from grader.model.trials import Trial
@@ -68,6 +69,8 @@ def _is_open(score: CheckScore) -> bool:
 def _found(score: CheckScore, search: Search) -> Counterexample | None:
     try:
         return counterexample(score, search)
+    except Interrupted:
+        raise
     except Exception:  # noqa: BLE001 - nothing is decided here: our own fault costs an example
         return None
 
