@@ -100,7 +100,7 @@ def mutant_lines(counts: dict[str, Counts]) -> list[str]:
 def _summary(rows: Sequence[Row], wrong: Sequence[Wrong]) -> str:
     found = holes(rows, wrong) + without_killer(rows, wrong)
     counts = {kind: sum(hole.kind is kind for hole in found) for kind in Kind}
-    right = len(rows) - len(wrong)
+    right = sum(row.name.startswith("right/") for row in rows)
     full = sum(full_marks().values())
     lines = [f"| {kind.value} | {count} |\n" for kind, count in counts.items()]
     return (

@@ -16,7 +16,7 @@ from grader.build.compiler import find_compiler
 from grader.certify.fates import Studied
 from grader.certify.row import Row
 
-WITHOUT_VERDICT = ("certify", "cli", "report", "__pycache__")
+WITHOUT_VERDICT = ("certify", "cli", "counterexample", "diagnose", "report", "__pycache__")
 """Folders of the package that decide nothing."""
 
 _ENDINGS = {".py", ".toml", ".txt", ".cpp", ".h", ".npz", ".exr", ".answers", ".obj"}

@@ -97,6 +97,17 @@ template <typename Item> std::vector<Item> copyIn(const void* data, uint64_t cou
     return items;
 }
 
+/// Nodes with room behind the last one, as push_back leaves it, and not clean: who takes
+/// `capacity()` for `size()` meets children there that do not exist.
+std::vector<BVH::Node> nodesIn(const void* data, uint64_t count) {
+    constexpr size_t spare = 64;
+    auto nodes = copyIn<BVH::Node>(data, count);
+    nodes.reserve(nodes.size() + spare); // exactly: growing by itself it would double
+    nodes.resize(nodes.size() + spare, BVH::Node{AABB{}, 0, 1});
+    nodes.resize(nodes.size() - spare);
+    return nodes;
+}
+
 /// Traces the whole batch as thread number `part`, which has its own slice of the results.
 void trace(const Mesh& mesh, const ex03_batch& batch, uint64_t part) {
     const auto* rays = static_cast<const Ray*>(batch.rays);
@@ -232,7 +243,7 @@ uint64_t ex03_copy_face_indices(const ex03_bvh* bvh, uint32_t* out, uint64_t cap
 int32_t ex03_set_tree(ex03_bvh* bvh, const void* nodes, uint64_t node_count,
                       const uint32_t* face_indices, uint64_t face_count) {
     return report(guarded([&] {
-        Access::nodes(unwrap(bvh)) = copyIn<BVH::Node>(nodes, node_count);
+        Access::nodes(unwrap(bvh)) = nodesIn(nodes, node_count);
         Access::faceIndices(unwrap(bvh)) = copyIn<uint32_t>(face_indices, face_count);
     }));
 }
