@@ -27,6 +27,7 @@ def told(fate: Fate, change: str = "a -> b") -> Studied:
     ("change", "fate", "by"),
     [
         ("-> faces.push_front(", Fate.INVALID, ""),
+        ("-> const auto [a, b, c, ab, ac] = triangle;", Fate.SAME_CODE, ""),
         ("-> if (all.size() < numFacesPerLeaf ", Fate.CAUGHT, "bvh.leaves-hold-at-most-four"),
         ("-> rest.t_min = hit.t;", Fate.CAUGHT, "hits.closest-wins"),
     ],
