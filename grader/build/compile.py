@@ -79,8 +79,8 @@ def compile_submission(submission: Submission, order: Compilation) -> Build:
             pool.shutdown(wait=False, cancel_futures=True)
             if linked.unexplained:
                 _blame(frameworks[0], work)
-        elif deep.result().library is None:
-            _blame(deep.result(), deep_framework, work)
+        elif deep.result().unexplained:
+            _blame(deep_framework, work)
     return Build(
         library=linked.library,
         # A file may insist on the real depth limit, by static_assert.
