@@ -1,6 +1,22 @@
 """Which misconceptions are looked for? The order decides only between equally good ones."""
 
-from grader.diagnose import axes, boxes, keeps, middles, nodes, orders, ranges, walks
+from grader.diagnose import (
+    axes,
+    boxes,
+    endings,
+    keeps,
+    limits,
+    middles,
+    nodes,
+    orders,
+    pruning,
+    ranges,
+    records,
+    slabs,
+    states,
+    triangles,
+    walks,
+)
 from grader.diagnose.hypothesis import Hypothesis
 
 
@@ -15,4 +31,11 @@ def every_hypothesis() -> tuple[Hypothesis, ...]:
         *ranges.RANGES,
         *walks.WALKS,
         *keeps.KEEPS,
+        *limits.LIMITS,
+        *slabs.SLABS,
+        *triangles.TRIANGLES,
+        *records.RECORDS,
+        *pruning.PRUNING,
+        *states.STATES,
+        *endings.ENDINGS,
     )

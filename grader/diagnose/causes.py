@@ -2,7 +2,7 @@
 
 A hypothesis is only tried if the table of known mistakes says that it makes some failed check
 fail. It is named if nearly everything is as it foretells; of several the one that foretells
-best, then the one whose known failures are most like those at hand. A cause moves no point.
+best and whose known failures are most like those at hand. A cause moves no point.
 """
 
 from collections.abc import Collection, Iterable
@@ -16,6 +16,9 @@ from grader.model.grade import Cause
 
 SURE = 0.95
 """Share of places that have to be as foretold."""
+
+WEIGHT_OF_PATTERN = 0.1
+"""How much the very pattern of failed checks outweighs places that are otherwise."""
 
 HOPELESS = 20
 """After so many places that are otherwise, and half of all, nothing more is looked at."""
@@ -33,7 +36,7 @@ def likely_causes(notes: Notes, failed: Collection[str]) -> dict[str, Cause]:
     return causes
 
 
-Ranked = tuple[tuple[float, float, int], Hypothesis, Support]
+Ranked = tuple[tuple[bool, float, int], Hypothesis, Support]
 
 
 def _supported(notes: Notes, failed: Collection[str]) -> Iterable[Ranked]:
@@ -43,7 +46,8 @@ def _supported(notes: Notes, failed: Collection[str]) -> Iterable[Ranked]:
         support = weigh(each, notes)
         share = support.fits / max(support.fits + support.against, 1)
         if support.fits >= each.least and share >= SURE:
-            yield (share, likeness(each.id, failed), support.fits), each, support
+            rank = share + WEIGHT_OF_PATTERN * likeness(each.id, failed)
+            yield (not each.general, rank, support.fits), each, support
 
 
 def weigh(each: Hypothesis, notes: Notes) -> Support:

@@ -47,6 +47,9 @@ class Hypothesis:
     least: int = 3
     """So many places have to be as foretold: fewer may be so by chance."""
 
+    general: bool = False
+    """Named only where no other one is: it foretells less exactly than they do."""
+
 
 def hypothesis(
     kind: type[CaseT], id: str, least: int = 3

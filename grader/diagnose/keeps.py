@@ -57,9 +57,9 @@ def _by_a_margin(given: Shots, bvh: Bvh, order: str, margin: float) -> Doubles:
 
 FIRST_HIT = "The first hit that is found is returned, not the closest one."
 LAST_HIT = "Every hit replaces the one before it, so the last one wins, not the closest."
-BY_LEAF = "The hit of a later leaf replaces that of an earlier one without being compared."
-FIRST_LEAF = (
-    "The search ends with the first leaf that has a hit, though another may hold a closer one."
+ONE_LEAF = (
+    "The hit of one leaf is returned though another leaf holds a closer one: hits of different "
+    "leaves are not compared."
 )
 LEAF_HIT = "The loop over the faces of a leaf ends at its first hit."
 MARGIN = "A hit replaces the one before it only if it is closer by some margin."
@@ -82,13 +82,13 @@ KEEPS = (
     *(of("keeps.first", FIRST_HIT, partial(_first, order=order)) for order in ORDERS),
     *(of("keeps.last", LAST_HIT, partial(_last, order=order)) for order in ORDERS),
     *(
-        of("keeps.last-leaf", BY_LEAF, partial(_of_leaf, order=order, last=True))
+        of("keeps.one-leaf", ONE_LEAF, partial(_of_leaf, order=order, last=True))
         for order in ORDERS
     ),
     *(
         of(
-            "walk.ends-at-the-first-leaf",
-            FIRST_LEAF,
+            "keeps.one-leaf",
+            ONE_LEAF,
             partial(_of_leaf, order=order, last=False),
         )
         for order in ORDERS

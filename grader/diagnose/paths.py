@@ -113,8 +113,10 @@ def slabs(given: Shots, bvh: Bvh) -> tuple[Doubles, Doubles]:
             inverse = 1 / given.direction[:, axis, None]
             one = (bvh.low[None, :, axis] - given.origin[:, axis, None]) * inverse
             two = (bvh.high[None, :, axis] - given.origin[:, axis, None]) * inverse
-            enter = np.fmax(enter, np.fmin(one, two))
-            leave = np.fmin(leave, np.fmax(one, two))
+            # In the plane of a side 0 times infinity is not a number, and excludes nothing.
+            known = ~(np.isnan(one) | np.isnan(two))
+            enter = np.where(known, np.maximum(enter, np.minimum(one, two)), enter)
+            leave = np.where(known, np.minimum(leave, np.maximum(one, two)), leave)
     return enter, leave
 
 
@@ -126,7 +128,8 @@ def passes(given: Shots, bvh: Bvh) -> Mask:
     """(S, N) bool, True where a ray meets a box within its limits."""
     enter, leave = slabs(given, bvh)
     near, far = np.maximum(enter, given.t_min[:, None]), np.minimum(leave, given.t_max[:, None])
-    return np.asarray(near <= far + 1e-6 * np.abs(far))
+    with np.errstate(invalid="ignore"):
+        return np.asarray(near <= far + 1e-6 * np.abs(far))
 
 
 def reached(bvh: Bvh, lets_pass: Mask) -> Mask:

@@ -13,7 +13,10 @@ from grader.model.cases import HitCase
 from grader.model.mesh import Doubles, FrozenArrays, Integers, Mask
 from grader.verify.closest import is_ambiguous, judge
 
-MOST_RAYS = 128
+MOST_RAYS = 96
+MOST_WRONG = 48
+"""So many rays are looked at, from all over a case, and so many more that are wrong."""
+
 MOST_FACES = 1_500
 
 SAME = 1e-4
@@ -47,7 +50,10 @@ class Shots(FrozenArrays):
     right: Mask
     """(S,) bool, True where that is right."""
 
-    clear: Mask
+    limit: Doubles
+    """(S,) float64, where the closest sure hit is, but for a tolerance; infinite if none is."""
+
+    unambiguous: Mask
     """(S,) bool, True where no doubtful face is on the ray."""
 
 
@@ -110,13 +116,17 @@ def shots(case: HitCase) -> Shots | None:
     count = len(rays.t_min)
     if not 0 < len(mesh.faces) <= MOST_FACES or not count:
         return None
-    ray = np.unique(np.linspace(0, count - 1, MOST_RAYS).astype(np.int64))
+    with np.errstate(all="ignore"):
+        judgement = judge(answers, case.hits.t)
+    wrong = judgement.missed_closer | judgement.no_surface
+    ray = np.union1d(
+        np.linspace(0, count - 1, MOST_RAYS).astype(np.int64),
+        np.flatnonzero(wrong)[:MOST_WRONG],
+    )
     origin, direction = (each[ray].astype(np.float64) for each in (rays.origin, rays.direction))
     a, b, c = mesh.vertices[mesh.faces].astype(np.float64).transpose(1, 0, 2)
     with np.errstate(all="ignore"):
         t, u, v, side = _met(origin, direction, (a, b - a, c - a))
-        judgement = judge(answers, case.hits.t)
-    wrong = judgement.missed_closer | judgement.no_surface
     return Shots(
         ray=ray,
         origin=origin,
@@ -129,7 +139,8 @@ def shots(case: HitCase) -> Shots | None:
         side=side,
         got=case.hits.t[ray].astype(np.float64),
         right=~wrong[ray],
-        clear=~(is_ambiguous(answers) | judgement.uncounted)[ray],
+        limit=answers.limit[ray],
+        unambiguous=~(is_ambiguous(answers) | judgement.uncounted)[ray],
     )
 
 
@@ -156,6 +167,15 @@ def _met(
 
     t = np.where(np.isfinite(t), t, np.inf)
     return t, along(across_u), along(across_v), np.asarray(side)
+
+
+@lru_cache(maxsize=64)
+def clear(given: Shots) -> Mask:
+    """(S,) bool, True where the table of all faces says what is right, as it should."""
+    closest = limited(given).closest()
+    with np.errstate(invalid="ignore"):
+        agrees = np.abs(closest - given.limit) <= 10 * SAME * np.abs(given.limit)
+    return np.asarray(given.unambiguous & (agrees | (closest == given.limit)))
 
 
 def same(got: Doubles, foretold: Doubles) -> Mask:

@@ -7,7 +7,7 @@ import numpy as np
 
 from grader.diagnose.hypothesis import NOTHING, Hypothesis, Support, weighed
 from grader.diagnose.paths import leaves, passes, reached, through_leaves
-from grader.diagnose.shots import Shots, limited, same, shots
+from grader.diagnose.shots import Shots, clear, limited, same, shots
 from grader.model.cases import HitCase
 from grader.model.mesh import Bvh, Doubles, Integers, Mask
 from grader.tolerances import FACES_PER_LEAF
@@ -31,7 +31,8 @@ def support(case: HitCase, foretell: Foretell, any_size: bool = False) -> Suppor
         fits = same(given.got, foretold)
         # A prediction that is right anyway tells nothing, even if its last digits differ.
         harmless = same(foretold, limited(given).closest()) & given.right
-    return weighed((fits | harmless)[given.clear], given.right[given.clear])
+    chosen = clear(given)
+    return weighed((fits | harmless)[chosen], given.right[chosen])
 
 
 def of(id: str, sentence: str, foretell: Foretell, any_size: bool = False) -> Hypothesis:

@@ -16,7 +16,10 @@ PATTERNS = ROOT / "grader" / "diagnose" / "patterns.csv"
 
 
 def misconceptions() -> dict[str, str]:
-    """Map each wrong submission to its misconception; `` if none is looked for."""
+    """Map each wrong submission to its misconception; `` if none is looked for.
+
+    Several, with a space between them, are names of the same mistake.
+    """
     with MISCONCEPTIONS.open(newline="", encoding="utf-8") as file:
         return {line["submission"]: line["misconception"] for line in csv.DictReader(file)}
 
@@ -26,8 +29,9 @@ def table() -> str:
     lines = stored_lines()
     rows = {
         (id, " ".join(check for check, letter in lines[name].items() if letter == "F"))
-        for name, id in misconceptions().items()
-        if id and name in lines
+        for name, ids in misconceptions().items()
+        for id in ids.split()
+        if name in lines
     }
     words = [f"{id},{checks}" for id, checks in sorted(rows)]
     return "\n".join(["misconception,checks", *words]) + "\n"
