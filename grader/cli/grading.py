@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from datetime import datetime
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import TYPE_CHECKING, Any, NoReturn
 
 import click
 from click.exceptions import Exit
@@ -15,9 +15,13 @@ from grader.cli.output import RESULT, patient_stdout, ready, write_whole
 from grader.cli.progress import shown_progress
 from grader.cli.status import FULL_MARKS, LOST_POINTS, OUR_FAULT
 from grader.errors import UsageError
+from grader.language import LANGUAGES, usual_language
 from grader.model.grade import Grade
 from grader.model.verdict import Verdict
 from grader.report.escape import line_for_terminal
+
+if TYPE_CHECKING:
+    from grader.report.failure import Occasion
 
 SEED = 41
 OUTPUT = "bvhgrade-out"
@@ -42,6 +46,8 @@ class Order:
     """How much is said beyond the facts, 0 to 3."""
     for_student: bool = False
     """Whether what the rubric hides is left out."""
+
+    language: str = "en"
 
 
 submission_type = click.Path(exists=True, path_type=Path)
@@ -70,6 +76,11 @@ hints_option = click.option(
     show_default=True,
     help="0 facts, 1 and a likely cause, 2 and a question, 3 and what to try.",
 )
+language_option = click.option(
+    "--language",
+    type=click.Choice(LANGUAGES),
+    help="Of the report (default: as LC_ALL or LANG say).",
+)
 unsafe_option = click.option(
     "--unsafe-no-isolation",
     is_flag=True,
@@ -84,6 +95,7 @@ unsafe_option = click.option(
 @rubric_option
 @time_option
 @hints_option
+@language_option
 @unsafe_option
 @click.option("--watch", is_flag=True, help="Run again at every save, until Ctrl-C.")
 def check(submission: Path | None, watch: bool, **given: Any) -> None:  # noqa: ANN401 - click's own
@@ -126,6 +138,7 @@ def check(submission: Path | None, watch: bool, **given: Any) -> None:  # noqa: 
 @seed_option
 @rubric_option
 @time_option
+@language_option
 @unsafe_option
 @click.option("--quiet", is_flag=True, help="Print the points only.")
 def grade(submission: Path, output: Path, quiet: bool, **given: Any) -> None:  # noqa: ANN401 - click's own
@@ -157,6 +170,7 @@ def ordered(path: Path, given: Mapping[str, Any]) -> Order:
         given["time_limit"],
         not given["unsafe_no_isolation"],
         given.get("hints", 1),
+        language=given["language"] or usual_language(),
     )
 
 
@@ -230,11 +244,17 @@ def report(result: Grade, order: Order, written: Path) -> None:
     """Print what people read."""
     from rich.console import Console
 
-    from grader.report.failure import Occasion
     from grader.report.terminal import print_grade
 
     console = Console()
-    print_grade(console, result, Occasion(repetition(order), written, order.hints))
+    print_grade(console, result, occasion(order, written))
+
+
+def occasion(order: Order, written: Path) -> "Occasion":
+    """Say how a report came to be printed."""
+    from grader.report.failure import Occasion
+
+    return Occasion(repetition(order), written, order.hints, order.language)
 
 
 def watch_over(order: Order, folder: Path) -> NoReturn:
@@ -246,13 +266,12 @@ def watch_over(order: Order, folder: Path) -> NoReturn:
     from rich.console import Console
 
     from grader.cli.watching import Watch, watch
-    from grader.report.failure import Occasion
     from grader.report.problem import print_problem
 
     def tell(result: Grade, order: Order) -> None:
         written = stored(folder, result)
         click.echo(f"\n--- {datetime.now().astimezone():%H:%M:%S} ---")
-        print_problem(Console(), result, Occasion(repetition(order), written, order.hints))
+        print_problem(Console(), result, occasion(order, written))
 
     click.echo(f"Watching {line_for_terminal(str(order.path))}; Ctrl-C ends.")
     watch(order, Watch(graded, tell))

@@ -8,6 +8,8 @@ best and whose known failures are most like those at hand. A cause moves no poin
 from collections.abc import Collection, Iterable
 from typing import Any
 
+import numpy as np
+
 from grader.diagnose import every_hypothesis
 from grader.diagnose.hypothesis import NOTHING, Hypothesis, Support
 from grader.diagnose.notes import Notes
@@ -64,6 +66,8 @@ def weigh(each: Hypothesis, notes: Notes) -> Support:
 
 def _tried(each: Hypothesis, case: Any) -> Support:  # noqa: ANN401 - of the hypothesis's kind
     try:
-        return each.decide(case)
+        # A stranger's numbers may be anything, and what follows from them is only compared.
+        with np.errstate(all="ignore"):
+            return each.decide(case)
     except Exception:  # noqa: BLE001 - only a hint is lost, and never a grade
         return NOTHING

@@ -39,7 +39,7 @@ def _early(given: Shots, bvh: Bvh, epsilon: float) -> Doubles:
 
 
 def _length(given: Shots) -> Doubles:
-    return np.sqrt((given.direction**2).sum(axis=1))
+    return np.asarray(np.sqrt((given.direction**2).sum(axis=1)))
 
 
 def _as_length(given: Shots, bvh: Bvh) -> Doubles:

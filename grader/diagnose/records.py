@@ -91,7 +91,7 @@ def _cross(case: HitCase, face: np.ndarray) -> Doubles:
         .astype(np.float64)
         .transpose(1, 0, 2)
     )
-    return np.cross(b - a, c - a)
+    return np.asarray(np.cross(b - a, c - a))
 
 
 def _unit(vectors: Doubles) -> Doubles:
@@ -104,7 +104,7 @@ def _near(a: Doubles, b: Doubles) -> Mask:
 
 
 def _normal(case: HitCase, ray: np.ndarray) -> Doubles:
-    return case.hits.normal[ray].astype(np.float64)
+    return np.asarray(case.hits.normal[ray].astype(np.float64))
 
 
 def _flipped(case: HitCase, ray: np.ndarray, face: np.ndarray) -> Mask:
@@ -143,7 +143,9 @@ def _zero(case: HitCase, ray: np.ndarray) -> Doubles:
 
 
 def _without_origin(case: HitCase, ray: np.ndarray) -> Doubles:
-    return case.hits.t[ray, None].astype(np.float64) * case.trial.rays.direction[ray]
+    return np.asarray(
+        case.hits.t[ray, None].astype(np.float64) * case.trial.rays.direction[ray]
+    )
 
 
 def _from_t_min(case: HitCase, ray: np.ndarray) -> Doubles:

@@ -36,7 +36,7 @@ def _with(test: Test, spare_leaves: bool) -> Callable[[Shots, Bvh], Doubles]:
 
 def _flat(given: Shots, bvh: Bvh) -> Mask:
     thick = (bvh.high > bvh.low).all(axis=1)
-    return np.broadcast_to(thick, (len(given.ray), len(thick)))
+    return np.broadcast_to(thick, (len(given.ray), len(bvh.end)))
 
 
 def _from_outside(given: Shots, bvh: Bvh) -> Mask:

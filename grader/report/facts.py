@@ -18,6 +18,8 @@ FILE = "src/exercise03.cpp"
 FOLDER = "counterexamples"
 """Where the files of counterexamples lie, beside `result.json`."""
 
+NOT_STARTED = "Part {part} is not started: {function} still does what the given code does."
+
 FUNCTIONS = {"a": "BVH::construct", "b": "intersect"}
 """The function that each part asks for."""
 
@@ -48,7 +50,7 @@ def withheld(grade: Grade) -> frozenset[str]:
 def not_started(part: PartScore) -> str:
     """Say that a part still does what the given code does."""
     function = FUNCTIONS.get(part.part, "the function")
-    return f"Part {part.part} is not started: {function} still does what the given code does."
+    return NOT_STARTED.format(part=part.part, function=function)
 
 
 def counterexample_file(score: CheckScore) -> str:

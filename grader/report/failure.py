@@ -5,6 +5,7 @@ from pathlib import Path
 
 from rich.text import Text
 
+from grader.language import Words
 from grader.model.grade import CheckScore, Grade
 from grader.model.stages import Rejected
 from grader.report.facts import FILE, place, size_of
@@ -30,10 +31,17 @@ class Occasion:
     hints: int = WITH_CAUSE
     """How much is said beyond the facts, 0 to 3."""
 
+    language: str = "en"
 
-def points(score: float, possible: float) -> str:
+
+def points(score: float, possible: float, words: Words = str) -> str:
     """Write points as people do: `4 of 5`, `2.25 of 3`."""
-    return f"{score:g} of {possible:g}"
+    return words("{score} of {possible}").format(score=f"{score:g}", possible=f"{possible:g}")
+
+
+def with_unit(score: float, possible: float, words: Words) -> str:
+    """Write `4 of 5 points`."""
+    return words("{score} points").format(score=points(score, possible, words))
 
 
 def explain(sheet: Sheet, grade: Grade, score: CheckScore, occasion: Occasion) -> None:
@@ -51,7 +59,7 @@ def explain(sheet: Sheet, grade: Grade, score: CheckScore, occasion: Occasion) -
     if shown.got:
         sheet.beside("got", shown.got, "red")
     look_at(sheet, grade, score)
-    for label, text in hints(score, occasion.hints):
+    for label, text in hints(score, occasion.hints, sheet.words):
         sheet.beside(label, text, "cyan")
     if occasion.command and score.visibility == "visible":
         sheet.command("again", f"{occasion.command} --only {score.check}")
@@ -67,10 +75,11 @@ def smallest(sheet: Sheet, score: CheckScore) -> None:
 def headline(sheet: Sheet, score: CheckScore) -> None:
     """Write verdict word and statement, and the points on the right or below."""
     style = STYLES[score.verdict]
-    mark = Text.assemble((f"{sheet.glyphs.named(score.verdict)}  ", style))
-    worth = f"{points(score.score, score.max_score)} points" if score.max_score else "gate"
+    mark = Text.assemble((f"{sheet.glyphs.named(score.verdict, sheet.words)}  ", style))
+    words = sheet.words
+    worth = with_unit(score.score, score.max_score, words) if score.max_score else words("gate")
     room = sheet.width - mark.cell_len
-    lines = sheet.wrapped(sheet.line(score.title), room)
+    lines = sheet.wrapped(words(sheet.line(score.title)), room)
     fits = Text(lines[-1]).cell_len + len(worth) + 2 <= room
     for number, line in enumerate(lines):
         left = mark.copy() if number == 0 else Text(" " * mark.cell_len)
@@ -78,7 +87,7 @@ def headline(sheet: Sheet, score: CheckScore) -> None:
         last = number == len(lines) - 1
         sheet.spread(left, Text(worth if last and fits else "", "dim"))
     if not fits:
-        sheet.beside("points", points(score.score, score.max_score))
+        sheet.beside("points", points(score.score, score.max_score, words))
 
 
 def examples(sheet: Sheet, score: CheckScore, happened: str) -> list[tuple[str, str]]:
@@ -95,7 +104,9 @@ def look_at(sheet: Sheet, grade: Grade, score: CheckScore) -> None:
     if found is None:
         return
     line = "" if found.line is None else f":{found.line}"
-    sheet.beside("look at", f"{FILE}{line} in {found.function or 'this file'}")
+    function = found.function or sheet.words("this file")
+    told = sheet.words("{place} in {function}").format(place=f"{FILE}{line}", function=function)
+    sheet.beside("look at", told)
     if found.exact and found.line is not None:
         excerpt(sheet, grade, found.line)
 
@@ -128,4 +139,5 @@ def compile_errors(sheet: Sheet, grade: Grade) -> None:
             excerpt(sheet, grade, one.line)
     if len(errors) > SHOWN_ERRORS:
         rest = len(errors) - SHOWN_ERRORS
-        sheet.beside("", f"and {rest} more, perhaps only consequences of these.", "dim")
+        told = sheet.words("and {rest} more, perhaps only consequences of these.")
+        sheet.beside("", told.format(rest=rest), "dim")

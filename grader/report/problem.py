@@ -2,6 +2,7 @@
 
 from rich.console import Console
 
+from grader.language import translator
 from grader.model.grade import Grade
 from grader.model.stages import Rejected
 from grader.model.verdict import Verdict
@@ -13,6 +14,7 @@ from grader.report.terminal import (
     every_fault,
     header,
     is_exposed,
+    not_begun,
     rejected,
     uncompiled,
     worst_failure,
@@ -21,7 +23,7 @@ from grader.report.terminal import (
 
 def print_problem(console: Console, grade: Grade, occasion: Occasion) -> None:
     """Print the score and the failure that costs most; the others are only counted."""
-    sheet = Sheet(console)
+    sheet = Sheet(console, translator(occasion.language))
     header(sheet, grade)
     if is_exposed(grade):
         banner(sheet)
@@ -39,8 +41,8 @@ def print_problem(console: Console, grade: Grade, occasion: Occasion) -> None:
 def what_else(sheet: Sheet, grade: Grade) -> None:
     """Say what comes after the failure that was explained, or that there was none."""
     idle = unstarted(grade)
-    for sentence in idle.values():
-        sheet.say(sentence, "yellow")
+    for part in idle:
+        not_begun(sheet, part)
     shown = worst(grade)
     others = sum(
         score.verdict is Verdict.FAIL and score.part not in idle
@@ -48,7 +50,8 @@ def what_else(sheet: Sheet, grade: Grade) -> None:
         if score is not shown
     )
     if others:
-        word = "check fails" if others == 1 else "checks fail"
-        sheet.say(f"{others} more {word}; that comes later.", "dim")
+        one = sheet.words("1 more check fails; that comes later.")
+        many = sheet.words("{others} more checks fail; that comes later.")
+        sheet.say(one if others == 1 else many.format(others=others), "dim")
     elif shown is None and all(score.verdict is Verdict.PASS for score in grade.checks):
-        sheet.say("Everything passes.", "green")
+        sheet.say(sheet.words("Everything passes."), "green")

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from rich.console import Console
 from rich.text import Text
 
+from grader.language import Words
 from grader.model.verdict import Verdict
 from grader.report.escape import for_terminal, line_for_terminal, unheard
 
@@ -43,10 +44,10 @@ class Glyphs:
         width = max(len(sign) for _, sign in self.marks)
         return dict(self.marks)[verdict].ljust(width)
 
-    def named(self, verdict: Verdict) -> str:
+    def named(self, verdict: Verdict, words: Words = str) -> str:
         """Sign and word of a verdict, or the sign alone where it is a word."""
         sign = dict(self.marks)[verdict]
-        return sign if sign.isalpha() else f"{sign} {verdict.value}"
+        return sign if sign.isalpha() else f"{sign} {words(verdict.value)}"
 
 
 SIGNS = Glyphs(
@@ -91,6 +92,9 @@ class Sheet:
     """Lines of a report, collected before any of them is printed."""
 
     console: Console
+    words: Words = str
+    """Translates our own texts, never a stranger's."""
+
     glyphs: Glyphs = field(init=False)
     width: int = field(init=False)
     lines: list[Text] = field(default_factory=list)
@@ -153,7 +157,7 @@ class Sheet:
     def gutter(self, label: str) -> Text:
         """Begin a line of a failure's block."""
         bar = Text.assemble("  ", (self.glyphs.gutter, "red"), " ")
-        return bar.append(label.ljust(LABEL_WIDTH) + "  ", "dim")
+        return bar.append(self.words(label).ljust(LABEL_WIDTH) + "  ", "dim")
 
     def wrapped(self, text: str, width: int) -> list[str]:
         """Break hostile text into lines of at most `width` cells, long words included."""

@@ -3,11 +3,12 @@
 from rich.console import Console
 from rich.text import Text
 
+from grader.language import Words, translator
 from grader.model.grade import CheckScore, Grade, PartScore
 from grader.model.stages import Rejected
 from grader.model.verdict import Verdict
-from grader.report.facts import unstarted, withheld, worst
-from grader.report.failure import Occasion, compile_errors, explain, points
+from grader.report.facts import FUNCTIONS, NOT_STARTED, unstarted, withheld, worst
+from grader.report.failure import Occasion, compile_errors, explain, points, with_unit
 from grader.report.sheet import STYLES, Sheet
 
 STATEMENT_MIN = 24
@@ -23,7 +24,7 @@ COLUMNS_FROM = 100
 
 def print_grade(console: Console, grade: Grade, occasion: Occasion) -> None:
     """Print the whole report; width, colours and encoding are the console's."""
-    sheet = Sheet(console)
+    sheet = Sheet(console, translator(occasion.language))
     header(sheet, grade)
     if is_exposed(grade):
         banner(sheet)
@@ -49,11 +50,11 @@ def header(sheet: Sheet, grade: Grade) -> None:
     if not isinstance(given, Rejected) and sheet.line(given.path) != sheet.line(given.student):
         name.append(f"  {sheet.line(given.path)}", "dim")
     if grade.score is None or grade.needs_review:
-        sheet.spread(name, Text("score withheld", "bold magenta"))
+        sheet.spread(name, Text(sheet.words("score withheld"), "bold magenta"))
         return
     share = grade.score / grade.max_score if grade.max_score else 0.0
     style = "bold green" if share >= 1 else "bold yellow" if share > 0 else "bold red"
-    sheet.spread(name, Text(f"{points(grade.score, grade.max_score)} points", style))
+    sheet.spread(name, Text(with_unit(grade.score, grade.max_score, sheet.words), style))
     full = int(share * sheet.width)
     rest = sheet.glyphs.empty * (sheet.width - full)
     sheet.lines.append(Text.assemble((sheet.glyphs.full * full, style), (rest, "dim")))
@@ -66,13 +67,14 @@ def is_exposed(grade: Grade) -> bool:
 
 def banner(sheet: Sheet) -> None:
     """Warn where nobody overlooks it."""
-    sheet.say("NOT ISOLATED: the submission could do what you can do.", "bold yellow")
+    told = sheet.words("NOT ISOLATED: the submission could do what you can do.")
+    sheet.say(told, "bold yellow")
 
 
 def rejected(sheet: Sheet, given: Rejected) -> None:
     """Say why nothing could be graded."""
     sign = sheet.glyphs.mark(Verdict.FAIL)
-    statement = ("There is no file to grade", "bold")
+    statement = (sheet.words("There is no file to grade"), "bold")
     sheet.lines.append(Text.assemble((f"{sign} ", "red"), statement))
     sheet.beside("", given.reason)
 
@@ -80,13 +82,14 @@ def rejected(sheet: Sheet, given: Rejected) -> None:
 def uncompiled(sheet: Sheet, grade: Grade) -> None:
     """Show what the compiler said, and that everything else hangs on it."""
     sign = sheet.glyphs.mark(Verdict.FAIL)
-    statement = ("The file does not compile", "bold")
+    statement = (sheet.words("The file does not compile"), "bold")
     sheet.lines.append(Text.assemble((f"{sign} ", "red"), statement))
     compile_errors(sheet, grade)
     sheet.blank()
     waiting = sum(score.verdict is Verdict.BLOCKED for score in grade.checks)
     if waiting:
-        sheet.say(f"{waiting} checks wait until it compiles.", "dim")
+        told = sheet.words("{waiting} checks wait until it compiles.")
+        sheet.say(told.format(waiting=waiting), "dim")
 
 
 def every_part(sheet: Sheet, grade: Grade) -> None:
@@ -97,7 +100,7 @@ def every_part(sheet: Sheet, grade: Grade) -> None:
     if shared:
         sheet.blank()
     for score in shared:
-        check_line(sheet, score, worth(score, unknown))
+        check_line(sheet, score, worth(score, unknown, sheet.words))
     for part in grade.parts:
         scores = [score for score in grade.checks if score.part == part.part]
         if not scores:
@@ -105,26 +108,34 @@ def every_part(sheet: Sheet, grade: Grade) -> None:
         sheet.blank()
         part_line(sheet, part, any(score.check in unknown for score in scores))
         if part.part in idle:
-            sheet.say(idle[part.part], "yellow", indent=2)
+            not_begun(sheet, part.part, indent=2)
             continue
         for score in scores:
-            check_line(sheet, score, worth(score, unknown))
+            check_line(sheet, score, worth(score, unknown, sheet.words))
+
+
+def not_begun(sheet: Sheet, part: str, indent: int = 0) -> None:
+    """Say that a part still is the given code."""
+    function = FUNCTIONS.get(part, sheet.words("the function"))
+    told = sheet.words(NOT_STARTED).format(part=part, function=function)
+    sheet.say(told, "yellow", indent)
 
 
 def part_line(sheet: Sheet, part: PartScore, unknown: bool) -> None:
     """Write a part's title and points."""
-    earned = "withheld" if unknown else points(part.score, part.max_score)
+    earned = points(part.score, part.max_score, sheet.words)
+    earned = sheet.words("withheld") if unknown else earned
     if not part.max_score:
         earned = ""
-    title = Text(f"{part.part})  {sheet.line(part.title)}", "bold")
+    title = Text(f"{part.part})  {sheet.words(sheet.line(part.title))}", "bold")
     sheet.spread(title, Text(earned, "bold"))
 
 
-def worth(score: CheckScore, unknown: frozenset[str]) -> str:
+def worth(score: CheckScore, unknown: frozenset[str], words: Words) -> str:
     """Word what a check is worth."""
     if score.check in unknown:
-        return "withheld"
-    return points(score.score, score.max_score) if score.max_score else "gate"
+        return words("withheld")
+    return points(score.score, score.max_score, words) if score.max_score else words("gate")
 
 
 def check_line(sheet: Sheet, score: CheckScore, earned: str) -> None:
@@ -132,9 +143,9 @@ def check_line(sheet: Sheet, score: CheckScore, earned: str) -> None:
     sign = sheet.glyphs.mark(score.verdict)
     name = score.check.ljust(NAME_COLUMN if sheet.width >= COLUMNS_FROM else 0)
     line = Text.assemble("  ", (f"{sign} ", STYLES[score.verdict]), name)
-    remark = sheet.line(score.title)
+    remark = sheet.words(sheet.line(score.title))
     if score.verdict is Verdict.BLOCKED and score.blocked_by:
-        remark = f"waits for {score.blocked_by}"
+        remark = sheet.words("waits for {check}").format(check=score.blocked_by)
     elif score.verdict is Verdict.PASS and ":" in score.message:
         # Few cases are named: there a student looks for the dragon.
         remark = sheet.line(score.message)
@@ -149,7 +160,8 @@ def every_fault(sheet: Sheet, grade: Grade) -> None:
     if not broken and not grade.needs_review:
         return
     sheet.blank()
-    sheet.say("The grader itself failed; nothing is concluded about the submission:", "magenta")
+    told = sheet.words("The grader itself failed; nothing is concluded about the submission:")
+    sheet.say(told, "magenta")
     for score in broken:
         sheet.beside("", f"{score.check}: {score.message}")
 
@@ -166,15 +178,20 @@ def worst_failure(sheet: Sheet, grade: Grade, occasion: Occasion) -> None:
 def footer(sheet: Sheet, grade: Grade, occasion: Occasion) -> None:
     """Say where the result lies, how the run was isolated and where the time went."""
     for remark in () if grade.build is None else grade.build.remarks:
-        sheet.say(f"Note: {sheet.line(remark)}.", "yellow")
+        sheet.say(sheet.words("Note: {remark}.").format(remark=sheet.line(remark)), "yellow")
     if occasion.written is not None:
         where = sheet.line(str(occasion.written))
-        sheet.lines.append(Text.assemble(("result  ", "dim"), where))
+        sheet.lines.append(Text.assemble((sheet.words("result") + "  ", "dim"), where))
     spent = grade.timing
-    sheet.say(
-        f"{spent.total:.1f} s: compiling {spent.compile:.1f}, submission "
-        f"{spent.submission:.1f}, grader {spent.grader:.1f}",
-        "dim",
+    times = sheet.words(
+        "{total} s: compiling {compile}, submission {submission}, grader {grader}"
+    ).format(
+        total=f"{spent.total:.1f}",
+        compile=f"{spent.compile:.1f}",
+        submission=f"{spent.submission:.1f}",
+        grader=f"{spent.grader:.1f}",
     )
+    sheet.say(times, "dim")
     if grade.build is not None and not is_exposed(grade):
-        sheet.say(f"isolated by {sheet.line(grade.provenance.isolation)}", "dim")
+        level = sheet.line(grade.provenance.isolation)
+        sheet.say(sheet.words("isolated by {level}").format(level=level), "dim")

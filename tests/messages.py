@@ -1,0 +1,52 @@
+"""What the grader says in several languages: `python -m tests.messages` lists every text."""
+
+import ast
+from collections.abc import Iterator
+
+from grader.diagnose import every_hypothesis
+from grader.model.verdict import Verdict
+from grader.report.facts import NOT_STARTED
+from grader.report.hints import LABELS, told
+from grader.score.rubric import load_rubric
+from grader.verify import every_check
+from tests.own_files import ROOT
+
+TRANSLATES = {"words"}
+"""Functions whose first argument is translated."""
+
+LABELLED = {"beside", "command"}
+"""Those whose first argument is a label, and translated too."""
+
+
+def messages() -> list[str]:
+    """List each text once, in a fixed order."""
+    texts = [NOT_STARTED, *LABELS, "example", *(verdict.value for verdict in Verdict)]
+    texts += written_in_code()
+    texts += [each.title for each in every_check()]
+    texts += [title for _, title in load_rubric(None).titles]
+    texts += [each.sentence for each in every_hypothesis()]
+    texts += [text for hint in told().values() for text in (hint["question"], hint["trial"])]
+    return list(dict.fromkeys(text for text in texts if text))
+
+
+def written_in_code() -> Iterator[str]:
+    """Find the texts that the reports write."""
+    for path in sorted((ROOT / "grader" / "report").glob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if (
+                isinstance(node, ast.Call)
+                and node.args
+                and _name(node) in TRANSLATES | LABELLED
+            ):
+                first = node.args[0]
+                if isinstance(first, ast.Constant) and isinstance(first.value, str):
+                    yield first.value
+
+
+def _name(call: ast.Call) -> str:
+    return getattr(call.func, "attr", getattr(call.func, "id", ""))
+
+
+if __name__ == "__main__":
+    for message in messages():
+        print(message)  # noqa: T201 - a script
