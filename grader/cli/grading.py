@@ -11,11 +11,20 @@ import click
 from click.exceptions import Exit
 
 from grader.cli.interrupts import interruptible
+from grader.cli.options import (
+    hints_option,
+    language_option,
+    rubric_option,
+    seed_option,
+    submission_type,
+    time_option,
+    unsafe_option,
+)
 from grader.cli.output import RESULT, patient_stdout, ready, write_whole
 from grader.cli.progress import shown_progress
 from grader.cli.status import FULL_MARKS, LOST_POINTS, OUR_FAULT
 from grader.errors import UsageError
-from grader.language import LANGUAGES, usual_language
+from grader.language import usual_language
 from grader.model.grade import Grade
 from grader.model.verdict import Verdict
 from grader.report.escape import line_for_terminal
@@ -23,7 +32,6 @@ from grader.report.escape import line_for_terminal
 if TYPE_CHECKING:
     from grader.report.failure import Occasion
 
-SEED = 41
 OUTPUT = "bvhgrade-out"
 USUAL_PLACES = ("src/exercise03.cpp", "student_stub/src/exercise03.cpp")
 
@@ -48,44 +56,6 @@ class Order:
     """Whether what the rubric hides is left out."""
 
     language: str = "en"
-
-
-submission_type = click.Path(exists=True, path_type=Path)
-seed_option = click.option(
-    "--seed",
-    type=click.IntRange(0, 2**32 - 1),
-    default=SEED,
-    show_default=True,
-    help="Meshes and rays are drawn from it.",
-)
-rubric_option = click.option(
-    "--rubric",
-    type=click.Path(exists=True, dir_okay=False, path_type=Path),
-    help="Points and limits instead of the built-in ones.",
-)
-time_option = click.option(
-    "--time-limit",
-    type=click.FloatRange(30, 86_400),
-    metavar="SECONDS",
-    help="The grade is there after this time, whatever happens (default: the rubric's, 120).",
-)
-hints_option = click.option(
-    "--hints",
-    type=click.IntRange(0, 3),
-    default=1,
-    show_default=True,
-    help="0 facts, 1 and a likely cause, 2 and a question, 3 and what to try.",
-)
-language_option = click.option(
-    "--language",
-    type=click.Choice(LANGUAGES),
-    help="Of the report (default: as LC_ALL or LANG say).",
-)
-unsafe_option = click.option(
-    "--unsafe-no-isolation",
-    is_flag=True,
-    help="Run the code with your own rights; only for code that you trust.",
-)
 
 
 @click.command()
