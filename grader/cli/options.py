@@ -42,5 +42,5 @@ language_option = click.option(
 unsafe_option = click.option(
     "--unsafe-no-isolation",
     is_flag=True,
-    help="Run the code with your own rights; only for code that you trust.",
+    help="Run the code with your own rights: you trust it.",
 )
