@@ -93,7 +93,7 @@ def mutant_lines(counts: dict[str, Counts]) -> list[str]:
     lines = [f"| original | {' | '.join(FATES)} |\n", "|---" + "|---:" * len(FATES) + "|\n"]
     for name, line in (*sorted(counts.items()), ("all", total)):
         lines.append(f"| {name} | {' | '.join(str(line[fate]) for fate in FATES)} |\n")
-    told = f"{100 * share_caught([total]):.1f} % of all that are caught or survived are caught."
+    told = f"Caught: {100 * share_caught([total]):.1f} % of all other programs without explanation."
     return [*lines, f"\n{told}\n"]
 
 

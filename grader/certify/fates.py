@@ -91,11 +91,14 @@ def counts_of(found: Sequence[Studied]) -> dict[str, Counts]:
 
 
 def share_caught(counts: Iterable[Counts]) -> float:
-    """The share of the mutants that are other programs, and not known to be right."""
+    """The share of the mutants that are other programs, and not known to be right.
+
+    Same results prove nothing as long as nobody has explained them.
+    """
     caught = kept = 0
     for line in counts:
         caught += line[Fate.CAUGHT.value]
-        kept += line[Fate.SURVIVED.value]
+        kept += line[Fate.SURVIVED.value] + line[Fate.SAME_RESULTS.value]
     return caught / max(1, caught + kept)
 
 

@@ -43,7 +43,7 @@ def test_the_table_of_mutants() -> None:
     *_, first, second, total, share = mutant_lines(counts)
     assert (first[:11], second[:11]) == ("| x.cpp | 1", "| y.cpp | 2")
     assert total == "| all |" + " 3 |" * len(FATES) + "\n"
-    assert share == "\n50.0 % of all that are caught or survived are caught.\n"
+    assert share == "\nCaught: 33.3 % of all other programs without explanation.\n"
 
 
 def test_a_name_that_nothing_has() -> None:

@@ -51,7 +51,7 @@ def test_explained_survivors_count_apart(monkeypatch: pytest.MonkeyPatch) -> Non
     ]
     counts = counts_of(found)["x.cpp"]
     assert (counts["caught"], counts["survived"], counts["explained"]) == (3, 1, 1)
-    assert share_caught([counts]) == 0.75
+    assert share_caught([counts]) == 0.6
     assert survivors(found) == [told(Fate.SURVIVED), told(Fate.SAME_RESULTS)]
 
 
