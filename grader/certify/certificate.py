@@ -93,8 +93,8 @@ def mutant_lines(counts: dict[str, Counts]) -> list[str]:
     lines = [f"| original | {' | '.join(FATES)} |\n", "|---" + "|---:" * len(FATES) + "|\n"]
     for name, line in (*sorted(counts.items()), ("all", total)):
         lines.append(f"| {name} | {' | '.join(str(line[fate]) for fate in FATES)} |\n")
-    told = f"Caught: {100 * share_caught([total]):.1f} % of all other programs without explanation."
-    return [*lines, f"\n{told}\n"]
+    share = f"{100 * share_caught([total]):.1f} %"
+    return [*lines, f"\nCaught: {share} of all other programs without explanation.\n"]
 
 
 def _summary(rows: Sequence[Row], wrong: Sequence[Wrong]) -> str:

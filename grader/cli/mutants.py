@@ -43,9 +43,8 @@ def tell_all(found: "Sequence[Studied]", wanted: int) -> bool:
         told = ", ".join(f"{count} {fate}" for fate, count in line.items() if count)
         click.echo(f"{original}: {told}")
     click.echo(f"\n{len(found)} of {wanted} mutants studied")
-    click.echo(
-        f"{100 * share_caught(counts.values()):.1f} % of all other programs without explanation are caught"
-    )
+    share = f"{100 * share_caught(counts.values()):.1f} %"
+    click.echo(f"{share} of all other programs without explanation are caught")
     left = survivors(found)
     click.echo(f"\n{len(left)} survivors without an explanation")
     for one in left:
