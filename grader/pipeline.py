@@ -52,9 +52,6 @@ class Options:
     counterexamples: bool = False
     """Whether to look for the smallest input that fails each check that failed."""
 
-    hidden: bool = True
-    """Whether to do so for checks, too, that the rubric hides from students."""
-
     isolated: bool = True
     """False only if the caller insists on running code without isolation."""
 
@@ -96,6 +93,23 @@ def grade_one(path: Path, options: Options) -> Grade:
             deeper = selection.useful(run.deeper_trials(summary))
             summary.examine(run.cases(deeper))
         return run.grade(summary, submission, (*trials, *further, *deeper))
+
+
+def engines_for(path: Path, folder: Path, options: Options) -> Engines | str:
+    """Compile a submission for one question; why it could not be, if so.
+
+    Raises:
+        UsageError: The path or the rubric is wrong.
+        GraderError: Our own fault; nothing is concluded about the submission.
+    """
+    limits = select(options.rubric, ()).rubric.limits
+    submission = locate(path, limits.source_kib << 10)
+    if isinstance(submission, Rejected):
+        return submission.reason
+    build = compile_submission(submission, _compilation(folder, limits, options))
+    if build.library is None:
+        return "it does not compile; bvhgrade check says why"
+    return _engines(build, limits, _isolation(options))
 
 
 def _isolation(options: Options) -> Isolation:
@@ -217,7 +231,7 @@ class _Run:
         if not self._options.counterexamples:
             return grade
         left = _time_limit(self._rubric.limits, self._options) - summary.elapsed()
-        deadline, hidden = time.monotonic() + left, self._options.hidden
+        deadline, hidden = time.monotonic() + left, not self._options.for_student
         search = Search(trials, self._engines, self._solution, deadline, hidden)
         with summary.stage("looking for small examples"):
             grade = with_counterexamples(grade, search)

@@ -20,8 +20,15 @@ from grader.cli.options import (
     time_option,
     unsafe_option,
 )
-from grader.cli.output import RESULT, patient_stdout, ready, write_whole
+from grader.cli.output import (
+    RESULT,
+    patient_stdout,
+    ready,
+    store_counterexamples,
+    write_whole,
+)
 from grader.cli.progress import shown_progress
+from grader.cli.replaying import replayed
 from grader.cli.status import FULL_MARKS, LOST_POINTS, OUR_FAULT
 from grader.errors import UsageError
 from grader.language import usual_language
@@ -61,6 +68,12 @@ class Order:
 @click.command()
 @click.argument("submission", type=submission_type, required=False)
 @click.option("--only", multiple=True, metavar="CHECK", help="Run this check; repeatable.")
+@click.option(
+    "--replay",
+    type=click.Path(exists=True, dir_okay=False, path_type=Path),
+    metavar="FILE",
+    help="Run on the input of this counterexample only.",
+)
 @seed_option
 @rubric_option
 @time_option
@@ -77,6 +90,8 @@ def check(submission: Path | None, watch: bool, **given: Any) -> None:  # noqa: 
     Exit status: 0 full marks, 1 points were lost, 2 wrong usage, 3 the grader failed.
     """
     order = replace(ordered(submission or usual_place(), given), for_student=True)
+    if given["replay"] is not None:
+        raise Exit(replayed(order, given["replay"]))
     folder = own_folder()
     if watch:
         watch_over(order, folder)
@@ -179,7 +194,6 @@ def graded(order: Order) -> Grade:
             progress,
             order.time_limit,
             counterexamples=True,
-            hidden=not order.for_student,
             isolated=order.isolated,
             for_student=order.for_student,
         )
@@ -194,20 +208,6 @@ def stored(folder: Path, result: Grade) -> Path:
     path = folder / RESULT
     write_whole(path, to_text(result))
     return path
-
-
-def store_counterexamples(folder: Path, result: Grade) -> None:
-    """Write the files that result.json names, and remove those of an earlier grade."""
-    from grader.counterexample.written import to_text
-    from grader.report.facts import FOLDER, counterexample_file
-
-    for score in result.checks:
-        path = folder / counterexample_file(score)
-        if score.counterexample is not None:
-            ready(folder / FOLDER)
-            write_whole(path, to_text(score.counterexample))
-        elif path.is_file():
-            path.unlink()
 
 
 def report(result: Grade, order: Order, written: Path) -> None:

@@ -8,6 +8,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from grader.errors import OutputFault, UsageError
+from grader.model.grade import Grade
 
 RESULT = "result.json"
 
@@ -51,6 +52,20 @@ def write_whole(path: Path, text: str) -> None:
     finally:
         with suppress(OSError):
             unfinished.unlink()
+
+
+def store_counterexamples(folder: Path, result: Grade) -> None:
+    """Write the files that result.json names, and remove those of an earlier grade."""
+    from grader.counterexample.written import to_text
+    from grader.report.facts import FOLDER, counterexample_file
+
+    for score in result.checks:
+        path = folder / counterexample_file(score)
+        if score.counterexample is not None:
+            ready(folder / FOLDER)
+            write_whole(path, to_text(score.counterexample))
+        elif path.is_file():
+            path.unlink()
 
 
 @contextmanager

@@ -20,12 +20,22 @@ from grader.model.cases import (
     SurvivalCase,
     WorkCase,
 )
+from grader.model.path import Path
 from grader.model.stages import Ending, Stop
-from grader.model.trials import ImageTrial, RebuildTrial, RepeatTrial, TraceTrial, Trial
+from grader.model.trials import (
+    AlteredTrial,
+    ImageTrial,
+    RebuildTrial,
+    RepeatTrial,
+    TraceTrial,
+    Trial,
+)
 from grader.model.verdict import Evidence, Finding, Verdict
 from grader.run.batches import run_batch
+from grader.run.job import Job
 from grader.run.requests import Single, request
 from grader.run.session import Allowance, run_job
+from grader.run.transfer import on_tree, record
 from grader.run.trials import Engines, is_sanitized
 from grader.verify import every_check
 from grader.verify.check import Check
@@ -90,7 +100,9 @@ class Effort:
 class Probe:
     """One check, and the builds on which it is tried."""
 
-    def __init__(self, check: Check, engines: Engines, effort: Effort, stop: Stop) -> None:
+    def __init__(
+        self, check: Check, engines: Engines, effort: Effort, stop: Stop | None
+    ) -> None:
         """Prepare to ask.
 
         Args:
@@ -98,7 +110,9 @@ class Probe:
             engines: The builds of the submission.
             effort: How much may be used.
             stop: How the worker ended in the case that failed; another end is another mistake.
+                None takes any.
         """
+        self.check_id = check.id
         self._check = check
         self._engines = engines
         self._effort = effort
@@ -140,22 +154,35 @@ class Probe:
 
     def alone(self, trial: Trial) -> Evidence | None:
         """Ask about one trial in fresh processes, as a grade does; None if it does not fail."""
-        engine = self._engines.of(trial)
-        results = []
-        asked = request(trial)
-        for job in asked.jobs:
-            allowed = self._effort.allowance()
-            if allowed is None or engine is None:
-                return None
-            ending, result = run_job(job, engine, allowed)
-            self._effort.spent(ending)
-            if result is None:
-                return self.evidence(self._ended(trial, ending))
-            results.append(result)
-        for case in asked.read(results, ending):
+        for case in self.cases(trial):
             if found := self.evidence(case):
                 return found
         return None
+
+    def cases(self, trial: Trial) -> tuple[Case, ...]:
+        """What one trial delivers in fresh processes; its ending is always among it."""
+        engine = self._engines.of(trial)
+        results, asked = [], request(trial)
+        for job in asked.jobs:
+            allowed = self._effort.allowance()
+            if allowed is None or engine is None:
+                return ()
+            ending, result = run_job(job, engine, allowed)
+            self._effort.spent(ending)
+            if result is None:
+                return (self._ended(trial, ending),)
+            results.append(result)
+        return (*asked.read(results, ending), self._ended(trial, ending))
+
+    def path(self, trial: TraceTrial | AlteredTrial | ImageTrial, ray: int) -> Path | None:
+        """Have the tests of one ray recorded; None if it did not come back."""
+        allowed, engine, job = self._effort.allowance(), self._engines.of(trial), Job()
+        if allowed is None or engine is None:
+            return None
+        read = record(job, on_tree(job, trial.mesh, trial.tree), trial.rays, ray)
+        ending, result = run_job(job, engine, allowed)
+        self._effort.spent(ending)
+        return None if result is None else read(result)
 
     def wrong_ray(self, trial: TraceTrial | ImageTrial) -> int | None:
         """Return the index of a ray that fails by itself, as far as one run tells."""
@@ -189,7 +216,8 @@ class Probe:
         found = decided(self._check, steady(case))
         if found is None or found.verdict is not Verdict.FAIL or not found.evidence.wrong:
             return None
-        return found.evidence if not self.dies or found.evidence.stop is self._stop else None
+        meant = not self.dies or self._stop in (None, found.evidence.stop)
+        return found.evidence if meant else None
 
     def _ended(self, trial: Trial, ending: Ending) -> Case:
         kind = MemoryCase if is_sanitized(trial) else SurvivalCase

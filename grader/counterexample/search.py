@@ -10,13 +10,14 @@ import time
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+from grader.counterexample.describe import described
 from grader.counterexample.narrow import Narrowing
 from grader.counterexample.probe import Effort, Probe, decided, sizes, steady
 from grader.errors import Interrupted
 from grader.model.counterexample import Counterexample
 from grader.model.grade import CheckScore, Grade
 from grader.model.trials import Trial
-from grader.model.verdict import Evidence, Verdict
+from grader.model.verdict import Verdict
 from grader.run.trials import Engines, is_sanitized
 from grader.solution import Solution
 from grader.verify import every_check
@@ -105,23 +106,7 @@ def _reduced(
     evidence = probe.proof(trial)
     if evidence is None or not _is_right(check, solution, trial):
         return None
-    return told(check, trial, start.name, evidence)
-
-
-def told(check: Check, trial: Trial, found_in: str, evidence: Evidence) -> Counterexample:
-    """Word what a check says against a trial."""
-    example = evidence.examples[0]
-    faces, rays = sizes(trial)
-    return Counterexample(
-        check=check.id,
-        trial=trial,
-        faces=faces,
-        rays=rays,
-        found_in=found_in,
-        message=example.message,
-        expected=example.expected,
-        got=example.got,
-    )
+    return described(probe, solution, trial, start.name, evidence)
 
 
 def _is_right(check: Check, solution: Solution, trial: Trial) -> bool:

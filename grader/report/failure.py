@@ -1,16 +1,22 @@
 """How does a terminal explain one failed check, from what happened to how to run it again?"""
 
+import shlex
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from rich.text import Text
 
 from grader.language import Words
 from grader.model.grade import CheckScore, Grade
 from grader.model.stages import Rejected
-from grader.report.facts import FILE, place, size_of
+from grader.report.facts import FILE, counterexample_file, place, size_of
 from grader.report.hints import WITH_CAUSE, hints
+from grader.report.nodes import node_table
 from grader.report.sheet import STYLES, Sheet
+
+if TYPE_CHECKING:
+    from grader.model.counterexample import Counterexample
 
 EXCERPT = 3
 """Lines of source that are shown, the marked one last."""
@@ -63,6 +69,9 @@ def explain(sheet: Sheet, grade: Grade, score: CheckScore, occasion: Occasion) -
         sheet.beside(label, text, "cyan")
     if occasion.command and score.visibility == "visible":
         sheet.command("again", f"{occasion.command} --only {score.check}")
+        if score.counterexample is not None and occasion.written is not None:
+            file = occasion.written.parent / counterexample_file(score)
+            sheet.command("replay", f"{occasion.command} --replay {shlex.quote(str(file))}")
 
 
 def smallest(sheet: Sheet, score: CheckScore) -> None:
@@ -70,6 +79,15 @@ def smallest(sheet: Sheet, score: CheckScore) -> None:
     found = score.counterexample
     if found is not None:
         sheet.beside("smallest", f"{size_of(found)}: {found.message}")
+        tell_more(sheet, found)
+
+
+def tell_more(sheet: Sheet, found: "Counterexample") -> None:
+    """Say where in the tree it went wrong, and draw the tree if it is small."""
+    if found.explanation:
+        sheet.beside("where", found.explanation)
+    if found.table is not None:
+        node_table(sheet, found.table)
 
 
 def headline(sheet: Sheet, score: CheckScore) -> None:

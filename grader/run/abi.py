@@ -5,9 +5,9 @@ Used inside the worker, so it uses the standard library only.
 
 import ctypes
 
-VERSION = 1
-SIZES = (12, 12, 32, 32, 28)
-"""Bytes of a point, face, node, ray and hit."""
+VERSION = 2
+SIZES = (12, 12, 32, 32, 28, 60)
+"""Bytes of a point, face, node, ray, hit and step."""
 
 _POINTER = ctypes.c_void_p
 _COUNT = ctypes.c_uint64
@@ -27,6 +27,7 @@ _FUNCTIONS = {
     "ex03_set_tree": (_STATUS, (_POINTER, _POINTER, _COUNT, _POINTER, _COUNT)),
     "ex03_intersect": (_STATUS, (_POINTER, _POINTER)),
     "ex03_intersect_threads": (_STATUS, (_POINTER, _POINTER, ctypes.c_uint32)),
+    "ex03_record": (_STATUS, (_POINTER, _POINTER)),
     "ex03_last_error": (_COUNT, (_POINTER, _COUNT)),
 }
 
@@ -40,6 +41,18 @@ class Batch(ctypes.Structure):
         ("hits", ctypes.c_void_p),
         ("tests", ctypes.c_void_p),
         ("done", ctypes.c_void_p),
+    )
+
+
+class Recording(ctypes.Structure):
+    """A ray to trace and where its hit and its steps go; all fields but one are addresses."""
+
+    _fields_ = (
+        ("ray", ctypes.c_void_p),
+        ("hit", ctypes.c_void_p),
+        ("steps", ctypes.c_void_p),
+        ("capacity", ctypes.c_uint64),
+        ("count", ctypes.c_void_p),
     )
 
 

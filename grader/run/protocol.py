@@ -42,6 +42,8 @@ class Op:
     """Replace a tree: slot, nodes, count, face indices, count."""
     TRACE = 7
     """Call `intersect`: slot, rays, count, hits, tests or 0, finished rays, threads."""
+    RECORD = 8
+    """Call `intersect` and record its tests: slot, one ray, hit, steps, capacity, count."""
 
 
 class Status:

@@ -6,11 +6,15 @@ from dataclasses import dataclass
 import numpy as np
 
 from grader.model.mesh import Bvh, Floats, Hits, Mesh, Rays
+from grader.model.path import Path
 from grader.run.job import Job, Result
 from grader.run.protocol import Op
 from grader.tolerances import NODE_CAPACITY
 
 NODE_BYTES, RAY_BYTES, HIT_BYTES = 32, 32, 28
+STEP_WORDS = 15
+MOST_STEPS = 4096
+"""Recorded tests of a ray; a path is recorded on small meshes only."""
 
 
 def give_mesh(job: Job, mesh: Mesh) -> int:
@@ -68,10 +72,7 @@ class Traced:
 
 def trace(job: Job, slot: int, rays: Rays, threads: int = 1) -> Callable[[Result], Traced]:
     """Have rays traced; returns how to read what came back."""
-    count = len(rays.t_min)
-    table = np.empty((count, 8), np.float32)
-    table[:, 0:3], table[:, 3:6] = rays.origin, rays.direction
-    table[:, 6], table[:, 7] = rays.t_min, rays.t_max
+    count, table = len(rays.t_min), ray_table(rays)
     hits, tests = job.reserve(threads * count * HIT_BYTES), job.reserve(threads * count * 8)
     done = job.reserve(8)
     job.do(Op.TRACE, slot, job.give(table), count, hits, tests, done, threads)
@@ -83,6 +84,14 @@ def trace(job: Job, slot: int, rays: Rays, threads: int = 1) -> Callable[[Result
         return Traced(tuple(hits_of(part) for part in every), (float(boxes), float(triangles)))
 
     return read
+
+
+def ray_table(rays: Rays) -> Floats:
+    """Lay rays out as the library reads them: (R, 8) float32."""
+    table = np.empty((len(rays.t_min), 8), np.float32)
+    table[:, 0:3], table[:, 3:6] = rays.origin, rays.direction
+    table[:, 6], table[:, 7] = rays.t_min, rays.t_max
+    return table
 
 
 def hits_of(table: Floats) -> Hits:
@@ -114,3 +123,30 @@ def on_tree(job: Job, mesh: Mesh, tree: Bvh) -> int:
     slot = give_mesh(job, mesh)
     give_tree(job, slot, tree)
     return slot
+
+
+def record(job: Job, slot: int, rays: Rays, ray: int) -> Callable[[Result], Path]:
+    """Have the tests of one ray recorded; returns how to read them."""
+    table = ray_table(rays)[ray : ray + 1]
+    hit, steps = job.reserve(HIT_BYTES), job.reserve(MOST_STEPS * STEP_WORDS * 4)
+    count = job.reserve(8)
+    job.do(Op.RECORD, slot, job.give(table), hit, steps, MOST_STEPS, count)
+
+    def read(result: Result) -> Path:
+        total = result.number(count)
+        kept = min(total, MOST_STEPS)
+        words = result.array(steps, kept * STEP_WORDS, np.uint32).reshape(kept, STEP_WORDS)
+        floats = words[:, 3:].view(np.float32)
+        return Path(
+            is_box=words[:, 0] == 0,
+            hit=words[:, 1] != 0,
+            node=words[:, 2].copy(),
+            t=floats[:, 0].copy(),
+            t_min=floats[:, 1].copy(),
+            t_max=floats[:, 2].copy(),
+            corners=floats[:, 3:].copy(),
+            found=float(result.array(hit, 7, np.float32)[3]),
+            total=total,
+        )
+
+    return read

@@ -45,6 +45,7 @@ class Worker:
             Op.READ_MESH: (self.read_mesh, 6),
             Op.SET_TREE: (self.set_tree, 5),
             Op.TRACE: (self.trace, 7),
+            Op.RECORD: (self.record, 6),
         }
         """Each operation and how many of a row's numbers are its arguments."""
 
@@ -112,6 +113,18 @@ class Worker:
         if threads == 1:
             return int(self.library.ex03_intersect(mesh, pointer))
         return int(self.library.ex03_intersect_threads(mesh, pointer, threads))
+
+    def record(self, *row: int) -> int:
+        """Call the submission's `intersect` for one ray, and record the tests that it calls."""
+        slot, ray, hit, steps, capacity, count = row
+        recording = abi.Recording(
+            self.source + ray,
+            self.target + hit,
+            self.target + steps,
+            capacity,
+            self.target + count,
+        )
+        return int(self.library.ex03_record(self.slots[slot][0], ctypes.byref(recording)))
 
     def put(self, offset: int, *numbers: int) -> None:
         """Write 64-bit numbers into the result."""

@@ -4,6 +4,7 @@
 #include "counters.h"
 #include "intersection.h"
 #include "not_written.h"
+#include "path.h"
 
 #include <atomic>
 #include <cstring>
@@ -19,6 +20,7 @@ static_assert(sizeof(Point3D) == 12 && std::is_trivially_copyable_v<Point3D>);
 static_assert(sizeof(TriangleIndices) == 12 && std::is_trivially_copyable_v<TriangleIndices>);
 static_assert(sizeof(BVH::Node) == 32 && std::is_trivially_copyable_v<BVH::Node>);
 static_assert(sizeof(Ray) == 32 && std::is_trivially_copyable_v<Ray>);
+static_assert(sizeof(ex03::Step) == 60 && std::is_trivially_copyable_v<ex03::Step>);
 static_assert(sizeof(Intersection) == 28 && std::is_trivially_copyable_v<Intersection>);
 static_assert(offsetof(BVH::Node, facesBegin) == 24 && offsetof(BVH::Node, facesEnd) == 28);
 static_assert(offsetof(Ray, direction) == 12 && offsetof(Ray, t_min) == 24);
@@ -169,12 +171,13 @@ void traceTogether(std::vector<Tracer>& tracers, const Mesh& mesh, const ex03_ba
 using namespace ex03;
 
 uint32_t ex03_abi_version(void) {
-    return 1;
+    return 2;
 }
 
 uint64_t ex03_size_of(uint32_t what) {
-    constexpr std::array<uint64_t, 5> sizes{sizeof(Point3D), sizeof(TriangleIndices),
-                                            sizeof(BVH::Node), sizeof(Ray), sizeof(Intersection)};
+    constexpr std::array<uint64_t, 6> sizes{sizeof(Point3D),      sizeof(TriangleIndices),
+                                            sizeof(BVH::Node),    sizeof(Ray),
+                                            sizeof(Intersection), sizeof(Step)};
     return what < sizes.size() ? sizes[what] : 0;
 }
 
@@ -266,6 +269,18 @@ int32_t ex03_intersect_threads(const ex03_mesh* mesh, const ex03_batch* batch, u
         }
     }
     return report(outcome);
+}
+
+int32_t ex03_record(const ex03_mesh* mesh, const ex03_recording* recording) {
+    Path recorded{&unwrap(mesh), static_cast<Step*>(recording->steps), recording->capacity};
+    path = &recorded;
+    const int32_t status = report(guarded([&] {
+        const Ray& ray = *static_cast<const Ray*>(recording->ray);
+        *static_cast<Intersection*>(recording->hit) = intersect(unwrap(mesh), ray);
+        *recording->count = recorded.count;
+    }));
+    path = nullptr;
+    return status;
 }
 
 void ex03_read_counters(uint64_t out[2]) {

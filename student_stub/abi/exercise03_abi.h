@@ -8,6 +8,8 @@
  *   node    box minimum 3 floats, box maximum 3 floats, facesBegin, facesEnd (uint32)
  *   ray     origin 3 floats, direction 3 floats, t_min, t_max
  *   hit     point 3 floats, t, normal 3 floats
+ *   step    kind of test, 1 if it hit, node or EX03_NO_NODE (uint32), t, t_min, t_max of the ray
+ *           as it was tested, 9 floats: box minimum and maximum, or the triangle's corners
  * Functions that copy write at most `capacity` items and return the true number of items. */
 
 #include <stdint.h>
@@ -20,7 +22,9 @@ extern "C" {
 typedef struct ex03_mesh ex03_mesh;
 typedef struct ex03_bvh ex03_bvh;
 
-enum { EX03_POINT = 0, EX03_FACE = 1, EX03_NODE = 2, EX03_RAY = 3, EX03_HIT = 4 };
+enum { EX03_POINT = 0, EX03_FACE = 1, EX03_NODE = 2, EX03_RAY = 3, EX03_HIT = 4, EX03_STEP = 5 };
+enum { EX03_BOX_TEST = 0, EX03_TRIANGLE_TEST = 1 };
+static const uint32_t EX03_NO_NODE = 0xffffffffU;
 
 /* What construct and intersect return. NO_THREAD is not the submission's fault;
  * NOT_WRITTEN means that the submission does not define the function. */
@@ -75,6 +79,17 @@ int32_t ex03_intersect(const ex03_mesh* mesh, const ex03_batch* batch);
 /* Every thread traces all rays, released at the same moment. Hits, and tests if given, hold one
  * batch per thread, one after the other; done counts the rays of all threads. */
 int32_t ex03_intersect_threads(const ex03_mesh* mesh, const ex03_batch* batch, uint32_t threads);
+
+typedef struct {
+    const void* ray;
+    void* hit;
+    void* steps; /* at most `capacity` of them are written */
+    uint64_t capacity;
+    uint64_t* count; /* the true number of steps; untouched after an exception */
+} ex03_recording;
+
+/* Traces one ray and records its calls of the given tests, in order. */
+int32_t ex03_record(const ex03_mesh* mesh, const ex03_recording* recording);
 
 /* Calls of the box test and of the triangle test on this thread, and on those that
  * ex03_intersect_threads started from it. */

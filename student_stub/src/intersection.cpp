@@ -1,6 +1,7 @@
 #include "intersection.h"
 
 #include "counters.h"
+#include "path.h"
 
 namespace ex03 {
 
@@ -37,12 +38,18 @@ bool intersect(const AABB& box, const IntersectionRay& ray) {
     inside.clip(box.min.y, box.max.y, ray.origin.y, inverse.y);
     inside.clip(box.min.z, box.max.z, ray.origin.z, inverse.z);
     // An entry at infinity belongs to a ray that runs beside the box, parallel to one of its sides.
-    return inside.near <= inside.far + std::abs(inside.far) * ex03::slabSlack &&
-           inside.near < infinity;
+    const bool hit = inside.near <= inside.far + std::abs(inside.far) * ex03::slabSlack &&
+                     inside.near < infinity;
+    if (ex03::path != nullptr) [[unlikely]] {
+        ex03::path->add(box, ray, hit);
+    }
+    return hit;
 }
 
-Intersection intersect(const Triangle& triangle, const IntersectionRay& ray) {
-    ++ex03::counters.triangles;
+namespace ex03 {
+namespace {
+
+Intersection tested(const Triangle& triangle, const IntersectionRay& ray) {
     const Vector3D normal = cross(triangle.v1v2, triangle.v1v3);
     const float t = dot(triangle.v1 - ray.origin, normal) / dot(ray.direction, normal);
     // Also false for not-a-number: a ray in the triangle's plane, or a triangle without area.
@@ -55,4 +62,16 @@ Intersection intersect(const Triangle& triangle, const IntersectionRay& ray) {
                         dot(normal, cross(triangle.v3 - triangle.v2, point - triangle.v2)) >= 0 &&
                         dot(normal, cross(fromV1, triangle.v1v3)) >= 0;
     return inside ? Intersection{point, t, normal.normalized()} : Intersection{};
+}
+
+} // namespace
+} // namespace ex03
+
+Intersection intersect(const Triangle& triangle, const IntersectionRay& ray) {
+    ++ex03::counters.triangles;
+    const Intersection found = ex03::tested(triangle, ray);
+    if (ex03::path != nullptr) [[unlikely]] {
+        ex03::path->add(triangle, ray, found);
+    }
+    return found;
 }

@@ -27,7 +27,6 @@ class Options:
     progress: Callable[[str, int, int], None]
     time_limit: float | None
     counterexamples: bool
-    hidden: bool
     isolated: bool
     for_student: bool = False
 

@@ -111,7 +111,7 @@ def test_the_files_that_a_result_names_are_there_and_no_others(pipeline: Pipelin
     pipeline.answer = samples.perfect
     call("check", FILE)
     assert not list((folder / "counterexamples").iterdir())
-    assert [options.hidden for _, options in pipeline.asked] == [True, False]
+    assert [options.for_student for _, options in pipeline.asked] == [False, True]
 
 
 def test_options_reach_the_pipeline(pipeline: Pipeline) -> None:

@@ -7,8 +7,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from click.testing import CliRunner
 
 from grader.certify.corpus import corpus_folder
+from grader.cli import cli
 from grader.counterexample.search import Search, counterexample, with_counterexamples
 from grader.counterexample.written import to_text
 from grader.model.counterexample import Counterexample
@@ -95,8 +97,26 @@ def test_a_wrong_hit_needs_two_faces_and_one_ray(last_hit: Engine) -> None:
     found = searched(last_hit, "hits.closest-wins", [traced()])
     assert found
     assert (found.faces, found.rays) == (2, 1)
+    assert "overwritten by a hit at t =" in found.explanation
     assert found.expected.startswith("a hit on face ")
     assert found.got.startswith("t is ")
+
+
+def test_a_file_shows_a_wrong_tree_again(reversed_halves: Engine, tmp_path: Path) -> None:
+    """`check --replay` builds the submission, fails on the input, and draws both trees."""
+    trials = [ConstructTrial("tree over soup", soup(600))]
+    found = searched(reversed_halves, "bvh.splits-at-the-median", trials)
+    assert found
+    file = tmp_path / "median.json"
+    file.write_text(to_text(found))
+    source = corpus_folder() / "wrong" / "comparator-with-greater.cpp"
+    shown = CliRunner().invoke(cli, ["check", str(source), "--replay", str(file)])
+    assert shown.exit_code == 1, shown.output
+    assert found.message.split(",")[0] in " ".join(shown.output.split())
+    assert shown.output.count("faceIndices") == 2
+    file.write_text(to_text(found).replace('"construct"', '"rebuild"'))
+    refused = CliRunner().invoke(cli, ["check", str(source), "--replay", str(file)])
+    assert (refused.exit_code, "median.json" in refused.output) == (2, True), refused.output
 
 
 def test_what_does_not_fail_has_no_counterexample(last_hit: Engine) -> None:

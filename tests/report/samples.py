@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from grader.model.counterexample import Counterexample
+from grader.model.counterexample import Column, Counterexample, NodeTable
 from grader.model.grade import Cause, CheckScore, Grade, PartScore, Provenance, Timing
 from grader.model.stages import Build, CallGraph, Diagnostic, Rejected, Stop, Submission
 from grader.model.trials import ConstructTrial
@@ -183,6 +183,13 @@ def small_trace() -> Counterexample:
         check="hits.closest-wins",
         rays=1,
         message="ray 0: t is 2.5, but face 1 is hit at 1.5",
+        explanation="node 2, on the way to face 1, was never visited after node 0",
+        table=NodeTable(
+            columns=(Column(0, "hit", "hit"), Column(1, "miss", "miss"), Column(2, "hit", "-")),
+            expected_faces="3 0 | 4 2 1",
+            got_faces="",
+            first_difference=2,
+        ),
         expected="a hit on face 1 at t = 1.5",
         got="t is 2.5",
     )
@@ -199,6 +206,12 @@ def small() -> Counterexample:
         message="node 1: box is too small",
         expected="node 1 box.max = (0.5, 1, 0)",
         got="node 1 box.max = (0.25, 1, 0)",
+        table=NodeTable(
+            columns=tuple(Column(node, "[0,9)", "[0,9)") for node in range(7)),
+            expected_faces="3 2 | 1 0 4",
+            got_faces="0 4 | 1 2 3",
+            first_difference=1,
+        ),
     )
 
 

@@ -1,0 +1,110 @@
+"""What is told of a counterexample: the check's words, the node table, the path of a ray."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from grader.counterexample.explain import Explanation, Setting, false_hit, lost_hit
+from grader.counterexample.probe import Probe, sizes
+from grader.counterexample.table import MOST_FACES, path_table, tree_table
+from grader.model.cases import TreeCase
+from grader.model.counterexample import Counterexample
+from grader.model.mesh import SOLID
+from grader.model.trials import AlteredTrial, ConstructTrial, ImageTrial, TraceTrial, Trial
+from grader.model.verdict import Evidence
+from grader.oracle.brute import chosen
+from grader.solution import Solution
+
+PATH_FACES = 1_000
+"""Faces of a mesh on which the path of a ray is recorded."""
+
+
+def described(
+    probe: Probe, solution: Solution, trial: Trial, found_in: str, evidence: Evidence
+) -> Counterexample:
+    """Tell a trial that fails.
+
+    Args:
+        probe: Of the check that fails.
+        solution: Builds the right tree to compare with.
+        trial: What fails.
+        found_in: Name of the trial that it was reduced from.
+        evidence: What the check says against it.
+    """
+    example = evidence.examples[0]
+    faces, rays = sizes(trial)
+    told = Counterexample(
+        check=probe.check_id,
+        trial=trial,
+        faces=faces,
+        rays=rays,
+        found_in=found_in,
+        message=example.message,
+        expected=example.expected,
+        got=example.got,
+    )
+    if probe.dies:
+        return told
+    match trial:
+        case ConstructTrial() if faces <= MOST_FACES:
+            return _with_trees(told, probe, solution, trial)
+        case TraceTrial() | AlteredTrial() | ImageTrial() if faces <= PATH_FACES:
+            return _with_path(told, probe, trial)
+    return told
+
+
+def _with_trees(
+    told: Counterexample, probe: Probe, solution: Solution, trial: ConstructTrial
+) -> Counterexample:
+    for case in probe.cases(trial):
+        if isinstance(case, TreeCase):
+            (expected,) = solution.fresh_trees([trial.mesh])
+            return replace(told, table=tree_table(expected, case.bvh))
+    return told
+
+
+def _with_path(
+    told: Counterexample, probe: Probe, trial: TraceTrial | AlteredTrial | ImageTrial
+) -> Counterexample:
+    ray = telling_ray(trial)
+    path = None if ray is None else probe.path(trial, ray)
+    if ray is None or path is None:
+        return told
+    setting = Setting(trial.mesh, trial.tree, path)
+    found = explanation(setting, trial, ray)
+    small = len(trial.mesh.faces) <= MOST_FACES
+    rays = chosen(trial.rays, np.array([ray]))
+    table = path_table(setting, rays, found.node) if small and path.total else None
+    return replace(told, explanation=found.text, table=table)
+
+
+def telling_ray(trial: TraceTrial | AlteredTrial | ImageTrial) -> int | None:
+    """Return the ray that the trial is about; None if there are several."""
+    rays: Sequence[int] = range(len(trial.rays.t_min))
+    if isinstance(trial, AlteredTrial):
+        rays = np.flatnonzero(trial.lost).tolist()
+    return rays[0] if len(rays) == 1 else None
+
+
+def explanation(
+    setting: Setting, trial: TraceTrial | AlteredTrial | ImageTrial, ray: int
+) -> Explanation:
+    """Say where the ray's hit was lost, or where it comes from."""
+    answers, t = trial.answers, setting.path.found
+    mine = np.arange(answers.first[ray], answers.first[ray + 1])
+    solid = mine[answers.kind[mine] == SOLID]
+    if not solid.size:
+        return false_hit(setting)
+    nearest = solid[np.argmin(answers.t[solid])]
+    face, limit = int(answers.face[nearest]), float(answers.limit[ray])
+    if isinstance(trial, AlteredTrial):
+        return Explanation(
+            f"face {face} is in no leaf that this ray reaches ({trial.change}), and yet it was "
+            "found: not through the tree"
+        )
+    if t > limit:
+        return lost_hit(setting, face, float(answers.t[nearest]))
+    if abs(t - answers.t[nearest]) <= answers.tolerance[nearest]:
+        return Explanation("")
+    return false_hit(setting)

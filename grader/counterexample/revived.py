@@ -1,0 +1,85 @@
+"""How does the content of a file become the trial that it was written from?"""
+
+import numpy as np
+
+from grader.counterexample.reading import Content
+from grader.model.mesh import SOLID, Answers, Bvh, Mask, Mesh, Rays
+from grader.model.trials import (
+    AlteredTrial,
+    ConstructTrial,
+    ImageTrial,
+    RebuildTrial,
+    RepeatTrial,
+    TraceTrial,
+    Trial,
+    WorkTrial,
+)
+from grader.oracle.balanced import balanced_tree
+from grader.oracle.brute import answers
+from grader.oracle.costs import given_box_test, plain_costs
+from grader.oracle.hierarchy import leaves_of, traverse
+
+
+def trial_of(given: Content) -> Trial:
+    """Make the trial, with answers that are computed now."""
+    with np.errstate(all="ignore"):
+        # A stranger's numbers may be as large as they like; then nothing is hit.
+        return _made(given)
+
+
+def _made(given: Content) -> Trial:
+    name, mesh = given.name, given.meshes[0]
+    if given.kind == "construct":
+        return ConstructTrial(name, mesh, given.sanitized, given.full_levels)
+    if given.kind == "rebuild":
+        return RebuildTrial(name, mesh, given.meshes[1])
+    rays, tree = given.rays, given.trees[0]
+    if given.kind == "work":
+        return WorkTrial(name, mesh, tree, rays, *plain_costs(tree, rays))
+    found = _answers(mesh, rays)
+    if given.kind == "repeat":
+        other, other_tree = given.meshes[1], given.trees[1]
+        theirs = _answers(other, rays)
+        return RepeatTrial(name, mesh, tree, other, other_tree, rays, found, theirs)
+    return _traced(given, mesh, tree, found)
+
+
+def _traced(given: Content, mesh: Mesh, tree: Bvh, found: Answers) -> Trial:
+    name, rays = given.name, given.rays
+    if given.kind == "altered":
+        lost = out_of_reach(tree, rays, found)
+        return AlteredTrial(name, mesh, tree, rays, found, lost, "leaves or boxes were altered")
+    if given.kind == "image":
+        t = found.limit.astype(np.float32)
+        return ImageTrial(name, mesh, tree, len(t), 1, rays, found, t)
+    families, index = np.unique(given.families, return_inverse=True)
+    return TraceTrial(
+        name=name,
+        mesh=mesh,
+        tree=tree,
+        rays=rays,
+        answers=found,
+        families=tuple(families.tolist()),
+        family=index.astype(np.int64),
+        special=given.special,
+        sanitized=given.sanitized,
+    )
+
+
+def _answers(mesh: Mesh, rays: Rays) -> Answers:
+    return answers(mesh, rays, balanced_tree(mesh))
+
+
+def out_of_reach(tree: Bvh, rays: Rays, found: Answers) -> Mask:
+    """Return (R,) bool, True where a plain traversal never comes to the closest sure hit."""
+    lost = np.zeros(len(rays.t_min), np.bool_)
+    reached: list[set[int]] = [set() for _ in lost]
+    for visits in traverse(leaves_of(tree), lost.size, given_box_test(tree, rays)):
+        for ray, leaf in zip(visits.ray.tolist(), visits.leaf.tolist(), strict=True):
+            reached[ray].update(tree.order[tree.begin[leaf] : tree.end[leaf]].tolist())
+    for ray in range(lost.size):
+        mine = np.arange(found.first[ray], found.first[ray + 1])
+        solid = mine[found.kind[mine] == SOLID]
+        if solid.size:
+            lost[ray] = found.face[solid[np.argmin(found.t[solid])]] not in reached[ray]
+    return lost
