@@ -1,7 +1,6 @@
 """Does a submission still fail on a counterexample? One trial of one check, from a file."""
 
 import time
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -11,7 +10,7 @@ from grader.counterexample.probe import Effort, Probe
 from grader.counterexample.reading import read
 from grader.counterexample.revived import trial_of
 from grader.errors import UsageError
-from grader.model.counterexample import Counterexample
+from grader.model.counterexample import Replay
 from grader.pipeline import Options, engines_for
 from grader.sandbox.scratch import scratch_folder
 from grader.solution import Solution
@@ -20,19 +19,6 @@ from grader.verify.planned import kinds_of
 
 PATIENCE = 30.0
 """Wall seconds, and CPU seconds, that showing one counterexample may take."""
-
-
-@dataclass(frozen=True, slots=True)
-class Replay:
-    """What became of a counterexample."""
-
-    check: str
-    title: str
-    found: Counterexample | None
-    """None if the check does not fail on it any more."""
-
-    refused: str = ""
-    """Why the submission could not be run at all."""
 
 
 def replay(path: Path, file: Path, options: Options) -> Replay:

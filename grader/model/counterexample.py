@@ -48,3 +48,16 @@ class Counterexample:
 
     table: NodeTable | None = None
     """None for larger meshes."""
+
+
+@dataclass(frozen=True, slots=True)
+class Replay:
+    """What became of a counterexample."""
+
+    check: str
+    title: str
+    found: Counterexample | None
+    """None if the check does not fail on it any more."""
+
+    refused: str = ""
+    """Why the submission could not be run at all."""

@@ -11,7 +11,7 @@ from grader.report.failure import tell_more
 from grader.report.sheet import STYLES, Sheet
 
 if TYPE_CHECKING:
-    from grader.replay import Replay
+    from grader.model.counterexample import Replay
 
 
 def print_replay(console: Console, told: "Replay") -> None:

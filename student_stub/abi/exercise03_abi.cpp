@@ -20,7 +20,6 @@ static_assert(sizeof(Point3D) == 12 && std::is_trivially_copyable_v<Point3D>);
 static_assert(sizeof(TriangleIndices) == 12 && std::is_trivially_copyable_v<TriangleIndices>);
 static_assert(sizeof(BVH::Node) == 32 && std::is_trivially_copyable_v<BVH::Node>);
 static_assert(sizeof(Ray) == 32 && std::is_trivially_copyable_v<Ray>);
-static_assert(sizeof(ex03::Step) == 60 && std::is_trivially_copyable_v<ex03::Step>);
 static_assert(sizeof(Intersection) == 28 && std::is_trivially_copyable_v<Intersection>);
 static_assert(offsetof(BVH::Node, facesBegin) == 24 && offsetof(BVH::Node, facesEnd) == 28);
 static_assert(offsetof(Ray, direction) == 12 && offsetof(Ray, t_min) == 24);
@@ -55,7 +54,6 @@ struct Outcome {
 };
 
 Outcome lastFailure;
-
 int32_t report(const Outcome& outcome) {
     if (outcome.status != EX03_OK) {
         lastFailure = outcome;

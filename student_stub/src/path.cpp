@@ -2,6 +2,10 @@
 
 #include "exercise03_abi.h"
 
+#include <type_traits>
+
+static_assert(sizeof(ex03::Step) == 60 && std::is_trivially_copyable_v<ex03::Step>);
+
 namespace ex03 {
 
 constinit thread_local Path* path = nullptr;

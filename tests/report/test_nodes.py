@@ -6,8 +6,7 @@ from dataclasses import replace
 import pytest
 from rich.console import Console
 
-from grader.model.counterexample import Column, NodeTable
-from grader.replay import Replay
+from grader.model.counterexample import Column, NodeTable, Replay
 from grader.report.nodes import node_table
 from grader.report.replayed import print_replay
 from grader.report.sheet import Sheet
