@@ -87,7 +87,7 @@ def check(submission: Path | None, watch: bool, **given: Any) -> None:  # noqa: 
     SUBMISSION is a .cpp file, a folder or an archive that holds one exercise03.cpp; by default
     exercise03.cpp in src or student_stub/src.
 
-    Exit status: 0 full marks, 1 points were lost, 2 wrong usage, 3 the grader failed.
+    Exit status: 0 full marks, 1 points lost, 2 wrong usage, 3 grader failed.
     """
     order = replace(ordered(submission or usual_place(), given), for_student=True)
     if given["replay"] is not None:
