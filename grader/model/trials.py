@@ -59,6 +59,8 @@ class TraceTrial(FrozenArrays):
     """True if these are the rays of `hits.special-rays`, False for ordinary ones."""
 
     sanitized: bool = False
+    on_borders: bool = False
+    """True if every hit lies on the border of its face: some triangle tests find none there."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -5,7 +5,8 @@ longest of length L:
 
     n = e1 x e2, den = d . n, t = (v1 - o) . n / den, s = |v1 - o|
     rel   = 12u |e1||e2||d| / |den|
-    tol   = u (12 |e1||e2| (s + |t||d|) / |den| + 2|t|) / (1 - rel)
+    flat  = 4 |n| (|o| + max|v_k|), if the test forms n . v - n . o
+    tol   = u ((12 |e1||e2| (s + |t||d|) + flat) / |den| + 2|t|) / (1 - rel)
     eps_k = tol |d| + 2u (|o| + |t||d| + max|v|) + 40u L^2/|e_k|
     WILD    rel >= 1/4, if the ray touches the triangle's padded box
     MISS    some in-plane distance to an edge < -eps, or t outside of the interval by > tol
@@ -37,12 +38,13 @@ from grader.oracle.padding import Corners, columns, corners_of, cross, dot, edge
 from grader.tolerances import (
     EDGE_ERROR,
     EDGE_ON,
+    PLANE_ERROR,
     TRIANGLE_ERROR,
     UNIT_ROUNDOFF,
     WILD_PADDING,
 )
 
-RULE_VERSION = 1
+RULE_VERSION = 2
 """Goes up when the rule answers otherwise, so that answers stored before are not used."""
 
 u = UNIT_ROUNDOFF
@@ -229,7 +231,9 @@ def _rule(
         t = dot(to_plane, n) / dot(beams.d, n)
         rel = TRIANGLE_ERROR * u * span * speed / den
         reach = norm(to_plane) + np.abs(t) * speed
-        tol = u * (TRIANGLE_ERROR * span * reach / den + 2 * np.abs(t)) / (1 - rel)
+        outermost = np.maximum(norm(a), np.maximum(norm(b), norm(c)))
+        flat = PLANE_ERROR * norm(n) * (norm(beams.o) + outermost)
+        tol = u * ((TRIANGLE_ERROR * span * reach + flat) / den + 2 * np.abs(t)) / (1 - rel)
         wild = ~(rel < EDGE_ON)
         inside = np.minimum(t - beams.t_min, beams.t_max - t)
         outer = tol * speed + 2 * u * (norm(beams.o) + np.abs(t) * speed + largest)

@@ -24,6 +24,7 @@ from grader.tolerances import (
     EDGE_ON,
     EDGE_PADDING,
     NEEDLE,
+    PLANE_ERROR,
     TRIANGLE_ERROR,
     WILD_PADDING,
 )
@@ -31,7 +32,16 @@ from grader.tolerances import (
 FORMAT = 1
 """Goes up with every change in what the arrays of a file mean."""
 
-RULE = (RULE_VERSION, TRIANGLE_ERROR, EDGE_ON, EDGE_ERROR, EDGE_PADDING, WILD_PADDING, NEEDLE)
+RULE = (
+    RULE_VERSION,
+    TRIANGLE_ERROR,
+    PLANE_ERROR,
+    EDGE_ON,
+    EDGE_ERROR,
+    EDGE_PADDING,
+    WILD_PADDING,
+    NEEDLE,
+)
 """The rule, as far as a change of it can be seen without asking it: version and numbers."""
 
 SEARCH_MARGIN = 1e-3

@@ -17,6 +17,14 @@ from grader.verify.shading import normal_errors, point_errors
 USES_THE_TREE = ("work.uses-the-tree",)
 
 
+UNTOLD = Evidence(0, 0, too_small=True)
+
+
+def leaves_out_borders(case: HitCase) -> bool:
+    """Tell whether all hits are on borders, which the submission takes for outside."""
+    return case.trial.on_borders and not np.isfinite(case.hits.t).any()
+
+
 def expects_hits(trial: TraceTrial) -> bool:
     """Tell whether ordinary rays of a trial surely hit something."""
     return not trial.special and bool(np.isfinite(trial.answers.limit).any())
@@ -70,6 +78,8 @@ def special_rays(case: HitCase) -> Evidence:
 
     Source: exercise interface, "accepts t_min < t < t_max", "directions need not be unit".
     """
+    if leaves_out_borders(case):
+        return UNTOLD
     return _judged(case, np.ones(case.hits.t.size, dtype=np.bool_))
 
 
@@ -81,6 +91,8 @@ def record_is_complete(case: HitCase) -> Evidence:
     Where several faces lie within the tolerance of t, the normal of any of them is.
     Source: exercise interface, "`normal` is n normalised, not turned towards the ray".
     """
+    if leaves_out_borders(case):
+        return UNTOLD
     answers = case.trial.answers
     judgement = judge(answers, case.hits.t)
     ray = np.flatnonzero((judgement.accepted >= 0) & ~judgement.missed_closer)

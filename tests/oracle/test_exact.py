@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from grader.model.mesh import Bvh, Floats, Integers, Mask, Rays
+from grader.model.cases import HitCase
+from grader.model.mesh import Bvh, Floats, Hits, Integers, Mask, Rays
 from grader.model.trials import TraceTrial
 from grader.oracle.brute import chosen
 from grader.oracle.costs import given_box_test
@@ -11,6 +12,7 @@ from grader.oracle.embree import contradicted, embree_t
 from grader.oracle.exact import ABOVE, CELLS, exact_trial, lattice
 from grader.oracle.hierarchy import Touches, leaves_of, spread, traverse
 from grader.verify.closest import judge
+from grader.verify.hits import record_is_complete, special_rays
 from tests.oracle.tracer import plane_test, trace
 from tests.oracle.treebuilder import tree_of
 
@@ -51,14 +53,37 @@ def nan_box_test(tree: Bvh, rays: Rays) -> Touches:
 
 @pytest.mark.parametrize("up", [0, 1, 2])
 def test_every_ray_hits_two_faces_exactly(up: int) -> None:
-    """Every line is hit, at the height between its ends, with both neighbours at the same t."""
+    """Every line is hit, at a whole height, with both neighbours at the same t."""
     given = trial(up)
     assert len(given.rays.t_min) == 2 * CELLS * (CELLS - 1)
     assert (np.diff(given.answers.first) == 2).all()
     t = given.answers.t.reshape(-1, 2)
     assert (t[:, 0] == t[:, 1]).all()
-    assert (t * 4 == np.rint(t * 4)).all()
+    assert (t == np.rint(t)).all()
     assert (t <= ABOVE).all()
+    assert len(np.unique(t)) > 1
+
+
+@pytest.mark.parametrize("up", [0, 1, 2])
+def test_unit_normals_are_exact_too(up: int) -> None:
+    """Each face lies across one axis: dividing by the normal's length rounds nothing."""
+    corners = trial(up).mesh.vertices[trial(up).mesh.faces]
+    assert (np.ptp(corners[:, :, up], axis=1) == 0).all()
+
+
+def test_a_triangle_test_without_borders_is_not_judged_here() -> None:
+    """It hits none of the faces, and the rule of closest hits allows that on a border."""
+    given = trial(2)
+    count = len(given.rays.t_min)
+    zero = np.zeros((count, 3), np.float32)
+    missed = Hits(zero, np.full(count, np.inf, np.float32), zero)
+    for each in (special_rays, record_is_complete):
+        evidence = each.decide(HitCase("lattice", given, missed))
+        assert (evidence.examined, evidence.wrong, evidence.too_small) == (0, 0, True)
+    one = missed.t.copy()
+    one[7] = given.answers.t[14]
+    partly = special_rays.decide(HitCase("lattice", given, Hits(zero, one, zero)))
+    assert (partly.examined, partly.wrong) == (count, count - 1)
 
 
 @pytest.mark.parametrize("up", [0, 2])
