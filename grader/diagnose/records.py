@@ -44,8 +44,10 @@ def _is_in_a_box(case: HitCase, ray: np.ndarray) -> Mask:
     meets = passes(given, case.trial.tree)[:, 0]
     missing = np.isin(given.ray, ray)
     finite = np.isfinite(given.got)
-    fits = bool((finite == meets)[missing].mean() > 0.99) if missing.any() else False
-    return np.full(ray.size, fits)
+    told_apart = missing.any() and (finite == meets)[missing].mean() > 0.99
+    sure = np.isfinite(given.limit)
+    hits_are_right = given.right[sure].mean() > 0.9 if sure.any() else True
+    return np.full(ray.size, bool(told_apart and hits_are_right))
 
 
 def _missed(id: str, sentence: str, explains: Missed) -> Hypothesis:

@@ -84,6 +84,14 @@ def _not_root(bvh: Bvh) -> Mask:
     return leaves(bvh).leaf > 0
 
 
+def _not_sole_node(bvh: Bvh) -> Mask:
+    return _not_root(bvh) | (len(bvh.end) > 1)
+
+
+def _not_root_with_slots(bvh: Bvh) -> Mask:
+    return _not_root(bvh) | (len(bvh.end) == 1)
+
+
 def _without_slots(bvh: Bvh) -> Mask:
     return 2 * leaves(bvh).leaf + 1 >= len(bvh.end)
 
@@ -98,6 +106,7 @@ def _below(child: int) -> Seen:
     return seen
 
 
+ROOT = "A tree that is a single leaf is never hit: the root is not asked whether it is a leaf."
 START = "The search starts at a child of the root, so one half of the mesh is never seen."
 
 FACES = (
@@ -123,11 +132,9 @@ FACES = (
         "The leaf whose range begins at 0 is taken for an empty slot.",
         _among(_beginning),
     ),
-    of(
-        "leaf.root-forgotten",
-        "A tree that is a single leaf is never hit: the root is not asked "
-        "whether it is a leaf.",
-        _among(_not_root),
+    *(
+        of("leaf.root-forgotten", ROOT, _among(seen))
+        for seen in (_not_root, _not_sole_node, _not_root_with_slots)
     ),
     of(
         "leaf.gaps-taken-for-children",
