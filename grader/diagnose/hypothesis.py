@@ -52,13 +52,13 @@ class Hypothesis:
 
 
 def hypothesis(
-    kind: type[CaseT], id: str, least: int = 3
+    kind: type[CaseT], id: str, least: int = 3, general: bool = False
 ) -> Callable[[Callable[[CaseT], Support]], Hypothesis]:
     """Turn a function from a case to its support into a `Hypothesis`; registers nothing."""
 
     def declare(decide: Callable[[CaseT], Support]) -> Hypothesis:
         sentence = (decide.__doc__ or "").strip().split("\n")[0]
-        return Hypothesis(id, kind, sentence, decide, least)
+        return Hypothesis(id, kind, sentence, decide, least, general)
 
     return declare
 

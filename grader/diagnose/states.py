@@ -48,7 +48,7 @@ def not_built_again(case: RebuildCase) -> Support:
     return Support(int(unbuilt), 0)
 
 
-@hypothesis(RebuildCase, "rebuild.something-left", least=1)
+@hypothesis(RebuildCase, "rebuild.something-left", least=1, general=True)
 def something_left(case: RebuildCase) -> Support:
     """Something of the first call is still there in the second: static, or not emptied."""
     return Support(int(bool(rebuild_starts_afresh.decide(case).wrong)), 0)

@@ -42,7 +42,7 @@ Search = Callable[[TraceTrial, Doubles], Doubles]
 
 def right(given: TraceTrial, t: Doubles) -> Doubles:
     """The closest."""
-    return t.min(axis=1)
+    return np.asarray(t.min(axis=1))
 
 
 def farthest(given: TraceTrial, t: Doubles) -> Doubles:
@@ -54,7 +54,7 @@ def farthest(given: TraceTrial, t: Doubles) -> Doubles:
 def first_in_order(given: TraceTrial, t: Doubles) -> Doubles:
     """The first in the order of the face indices: a walk that goes left first."""
     t = t[:, given.tree.order]
-    return t[np.arange(len(t)), np.isfinite(t).argmax(axis=1)]
+    return np.asarray(t[np.arange(len(t)), np.isfinite(t).argmax(axis=1)])
 
 
 def without_last_of_leaves(given: TraceTrial, t: Doubles) -> Doubles:
@@ -64,7 +64,7 @@ def without_last_of_leaves(given: TraceTrial, t: Doubles) -> Doubles:
     for node in np.flatnonzero(tree.end):
         if 2 * node + 1 >= count or tree.end[2 * node + 1] == 0:
             t[:, tree.order[tree.end[node] - 1]] = np.inf
-    return t.min(axis=1)
+    return np.asarray(t.min(axis=1))
 
 
 def at_random(given: TraceTrial, t: Doubles) -> Doubles:
