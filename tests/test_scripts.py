@@ -1,5 +1,6 @@
 """The scripts name in one sentence what a bare machine lacks, and cost nothing otherwise."""
 
+import os
 import shutil
 import subprocess
 from pathlib import Path
@@ -84,3 +85,10 @@ def test_a_ready_environment_is_used_at_once(tmp_path: Path) -> None:
     with (folder / "pyproject.toml").open("a") as file:
         file.write("# changed\n")
     assert "no Python 3.11" in graded(folder).stderr
+
+
+@pytest.mark.xdist_group("together")
+def test_tests_of_one_group_share_a_process(request: pytest.FixtureRequest) -> None:
+    """Else each process builds the wheel and compiles the attacks anew: xdist marks the id."""
+    grouped = "PYTEST_XDIST_WORKER" in os.environ
+    assert request.node.nodeid.endswith("@together") == grouped
