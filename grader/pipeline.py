@@ -230,7 +230,8 @@ class _Run:
         grade = summary.grade(given, self._build, trials)
         if not self._options.counterexamples:
             return grade
-        left = _time_limit(self._rubric.limits, self._options) - summary.elapsed()
+        limit = _time_limit(self._rubric.limits, self._options)
+        left = limit - _RESERVE / 3 * limit - summary.elapsed()
         deadline, hidden = time.monotonic() + left, not self._options.for_student
         search = Search(trials, self._engines, self._solution, deadline, hidden)
         with summary.stage("looking for small examples"):

@@ -2,6 +2,7 @@
 
 import os
 import shutil
+import signal
 import tempfile
 from collections.abc import Generator
 from pathlib import Path
@@ -20,6 +21,8 @@ SHARED = "BVHGRADE_TESTS_SHARE"
 
 def pytest_configure() -> None:
     """Make the cache of this run, outside of pytest's folders, which no box can enter."""
+    # A shell that runs us in the background has it ignored, and so would all our children.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     if SHARED not in os.environ:
         os.environ[SHARED] = tempfile.mkdtemp(prefix="bvhgrade-tests-")
 

@@ -32,6 +32,9 @@ CROWDED = 10
 STARTS = 2
 """The smallest of the failing cases that are tried; the second if the first fails no more."""
 
+LARGEST_START = 20_000
+"""Faces of a case that is tried: sending a larger one to a process takes all of the time."""
+
 MOST_FACES, MOST_RAYS = 1_000, 1_500
 """What is larger teaches nobody anything, and fills files."""
 
@@ -86,6 +89,7 @@ def counterexample(score: CheckScore, search: Search) -> Counterexample | None:
     check = next(each for each in every_check() if each.id == score.check)
     failed = {name for name, verdict in score.cases if verdict is Verdict.FAIL}
     known = [trial for trial in search.trials if trial.name in failed]
+    known = [trial for trial in known if sizes(trial)[0] <= LARGEST_START]
     fence = min(time.monotonic() + CROWDED * CHECK_SECONDS, search.deadline)
     effort = Effort(fence, CHECK_SECONDS)
     for trial in sorted(known, key=sizes)[:STARTS]:

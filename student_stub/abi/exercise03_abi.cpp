@@ -89,23 +89,19 @@ uint64_t copyOut(const std::vector<Item>& items, Out* out, uint64_t capacity) {
     return items.size();
 }
 
-template <typename Item> std::vector<Item> copyIn(const void* data, uint64_t count) {
+/// Items with room behind the last one, as push_back leaves it, and not clean: who takes
+/// `capacity()` for `size()` meets there what does not exist.
+template <typename Item>
+std::vector<Item> copyIn(const void* data, uint64_t count, const Item& stray = {}) {
+    constexpr size_t spare = 64;
     const auto* first = static_cast<const Item*>(data);
     std::vector<Item> items;
-    items.reserve(count); // throws for any count that `first + count` could not express
+    // Throws for any count that `first + count` could not express.
+    items.reserve(std::max(count, count + spare));
     items.assign(first, first + count);
+    items.resize(count + spare, stray);
+    items.resize(count);
     return items;
-}
-
-/// Nodes with room behind the last one, as push_back leaves it, and not clean: who takes
-/// `capacity()` for `size()` meets children there that do not exist.
-std::vector<BVH::Node> nodesIn(const void* data, uint64_t count) {
-    constexpr size_t spare = 64;
-    auto nodes = copyIn<BVH::Node>(data, count);
-    nodes.reserve(nodes.size() + spare); // exactly: growing by itself it would double
-    nodes.resize(nodes.size() + spare, BVH::Node{AABB{}, 0, 1});
-    nodes.resize(nodes.size() - spare);
-    return nodes;
 }
 
 /// Traces the whole batch as thread number `part`, which has its own slice of the results.
@@ -244,7 +240,7 @@ uint64_t ex03_copy_face_indices(const ex03_bvh* bvh, uint32_t* out, uint64_t cap
 int32_t ex03_set_tree(ex03_bvh* bvh, const void* nodes, uint64_t node_count,
                       const uint32_t* face_indices, uint64_t face_count) {
     return report(guarded([&] {
-        Access::nodes(unwrap(bvh)) = nodesIn(nodes, node_count);
+        Access::nodes(unwrap(bvh)) = copyIn(nodes, node_count, BVH::Node{AABB{}, 0, 1});
         Access::faceIndices(unwrap(bvh)) = copyIn<uint32_t>(face_indices, face_count);
     }));
 }
