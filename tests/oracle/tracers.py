@@ -133,16 +133,16 @@ def every_arithmetic() -> list[Arithmetic]:
 def compiled(arithmetic: Arithmetic, folder: Path) -> Tracer:
     """Compile all ways with one arithmetic, the given tests of the framework included."""
     stub = stub_folder()
-    name = str(arithmetic).replace(" ", "")
-    path = folder / f"{name}.so"
+    path = folder / f"{arithmetic}.so".replace(" ", "")
     compiler = shutil.which(arithmetic.compiler)
     assert compiler, f"{arithmetic.compiler} is not installed"
     command = [
         compiler,
         *("-std=c++20", f"-O{arithmetic.level}", "-fPIC", "-shared"),
         *(MULTIPLY_ADD if arithmetic.fused else ("-ffp-contract=off",)),
-        *(f"-I{each}" for each in (stub / "include", stub / "src", SOURCES)),
-        *(str(each) for each in (SOURCES / "tracer.cpp", stub / "src" / "intersection.cpp")),
+        *(f"-I{each}" for each in (stub / "include", stub / "src", stub / "abi", SOURCES)),
+        str(SOURCES / "tracer.cpp"),
+        *(str(stub / "src" / f"{name}.cpp") for name in ("intersection", "path")),
         *("-o", str(path)),
     ]
     subprocess.run(command, check=True, timeout=300)
