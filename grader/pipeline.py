@@ -18,6 +18,7 @@ from grader.oracle.plan import Plan, deeper_trials, depth_trial
 from grader.run.session import Engine
 from grader.run.trials import LARGE_MESH, Budget, Engines, part_of, run_trials
 from grader.sandbox.box import Isolation
+from grader.sandbox.nursery import Nursery
 from grader.sandbox.scratch import scratch_folder
 from grader.sandbox.selftest import proved_isolation, unconfined
 from grader.selection import select
@@ -74,7 +75,7 @@ def grade_one(path: Path, options: Options) -> Grade:
     if isinstance(submission, Rejected):
         summary.examine([BuildCase("build", (submission.reason,))])
         return summary.grade(submission, None, ())
-    with scratch_folder() as folder:
+    with scratch_folder() as folder, Nursery() as nursery:
         with summary.stage("build and plan"):
             order = _compilation(folder, limits, options)
             build, plan, solution = _prepare(submission, order, options.seed, summary)
@@ -84,18 +85,18 @@ def grade_one(path: Path, options: Options) -> Grade:
         trials = selection.useful([_as_read(trial, selection.rubric) for trial in plan.trials])
         summary.broken(plan.faults)
         with summary.stage("run and verify"):
-            run = _Run(build, solution, selection.rubric, options, summary.elapsed())
+            engines = _engines(build, limits, _isolation(options), nursery)
+            run = _Run(engines, solution, selection.rubric, options, summary.elapsed())
             first, then = _waves(trials)
             summary.examine(run.cases(first))
             summary.examine(run.cases([trial for trial in then if _hopeful(trial, summary)]))
             further = run.further_trials()
             summary.examine(run.cases(further) if further else run.small_depths)
-            deeper = selection.useful(run.deeper_trials(summary))
-            summary.examine(run.cases(deeper))
-        return run.grade(summary, submission, (*trials, *further, *deeper))
+            summary.examine(run.cases(deeper := selection.useful(run.deeper_trials(summary))))
+        return run.grade(summary, submission, build, (*trials, *further, *deeper))
 
 
-def engines_for(path: Path, folder: Path, options: Options) -> Engines | str:
+def engines_for(path: Path, folder: Path, nursery: Nursery, options: Options) -> Engines | str:
     """Compile a submission for one question; why it could not be, if so.
 
     Raises:
@@ -109,7 +110,7 @@ def engines_for(path: Path, folder: Path, options: Options) -> Engines | str:
     build = compile_submission(submission, _compilation(folder, limits, options))
     if build.library is None:
         return "it does not compile; bvhgrade check says why"
-    return _engines(build, limits, _isolation(options))
+    return _engines(build, limits, _isolation(options), nursery)
 
 
 def _isolation(options: Options) -> Isolation:
@@ -193,15 +194,14 @@ class _Run:
 
     def __init__(
         self,
-        build: Build,
+        engines: Engines,
         solution: Solution,
         rubric: Rubric,
         options: Options,
         elapsed: float,
     ) -> None:
         limit = _time_limit(rubric.limits, options)
-        self._build = build
-        self._engines = _engines(build, rubric.limits, _isolation(options))
+        self._engines = engines
         self._budget = Budget(rubric.limits, limit - _RESERVE * limit - elapsed)
         self._solution = solution
         self._rubric = rubric
@@ -225,9 +225,11 @@ class _Run:
                 else:
                     yield case
 
-    def grade(self, summary: Summary, given: Submission, trials: Sequence[Trial]) -> Grade:
+    def grade(
+        self, summary: Summary, given: Submission, build: Build, trials: Sequence[Trial]
+    ) -> Grade:
         """Score what was found, and look for small inputs in what is left of the time."""
-        grade = summary.grade(given, self._build, trials)
+        grade = summary.grade(given, build, trials)
         if not self._options.counterexamples:
             return grade
         limit = _time_limit(self._rubric.limits, self._options)
@@ -236,7 +238,7 @@ class _Run:
         search = Search(trials, self._engines, self._solution, deadline, hidden)
         with summary.stage("looking for small examples"):
             grade = with_counterexamples(grade, search)
-        return replace(grade, timing=summary.timing(self._build))
+        return replace(grade, timing=summary.timing(build))
 
     def further_trials(self) -> Sequence[Trial]:
         """Ask for the mesh of four million faces if small ones could not show the depth limit.
@@ -260,13 +262,13 @@ class _Run:
         return [trial for trial in deeper if _hopeful(trial, summary)]
 
 
-def _engines(build: Build, limits: Limits, isolation: Isolation) -> Engines:
+def _engines(build: Build, limits: Limits, isolation: Isolation, nursery: Nursery) -> Engines:
     if build.library is None:
         raise AssertionError("there is a library, or nothing is run")
     runtime = sanitizer_runtime(find_compiler())
 
     def sanitized(library: Path | None) -> Engine | None:
-        return Engine(library, limits, isolation, runtime) if library else None
+        return Engine(library, limits, isolation, runtime, nursery) if library else None
 
-    graded = Engine(build.library, limits, isolation)
+    graded = Engine(build.library, limits, isolation, nursery=nursery)
     return Engines(graded, sanitized(build.sanitized), sanitized(build.deep))

@@ -12,6 +12,7 @@ from grader.counterexample.revived import trial_of
 from grader.errors import UsageError
 from grader.model.counterexample import Replay
 from grader.pipeline import Options, engines_for
+from grader.sandbox.nursery import Nursery
 from grader.sandbox.scratch import scratch_folder
 from grader.solution import Solution
 from grader.verify import every_check
@@ -35,8 +36,8 @@ def replay(path: Path, file: Path, options: Options) -> Replay:
     check, trial = checks[content.check], trial_of(content)
     if check.kind not in kinds_of(trial) or not check.when(trial):
         raise UsageError(f"{file}: {check.id} has nothing to say of such an input")
-    with scratch_folder() as folder:
-        engines = engines_for(path, folder, options)
+    with scratch_folder() as folder, Nursery() as nursery:
+        engines = engines_for(path, folder, nursery, options)
         if isinstance(engines, str):
             return Replay(check.id, check.title, None, engines)
         effort = Effort(time.monotonic() + PATIENCE, PATIENCE)

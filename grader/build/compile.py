@@ -16,10 +16,11 @@ from grader.model.grade import CompileLimits
 from grader.model.stages import Build, CallGraph, Diagnostic, Submission
 from grader.resources import reference_source
 from grader.sandbox.box import Bounds, Box, Isolation
-from grader.sandbox.confine import Target, confined
+from grader.sandbox.confine import confined
 from grader.sandbox.launch import Outcome
 from grader.sandbox.selftest import unconfined
 from grader.sandbox.stage import staged
+from grader.sandbox.target import Target
 
 PLAIN_MESSAGES = ("-fdiagnostics-color=never", "-fmax-errors=20")
 """More errors teach nothing new, and each unknown name is compared with all known ones."""

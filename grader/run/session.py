@@ -11,9 +11,11 @@ from grader.model.stages import Ending, Stop
 from grader.run.job import Job, Result
 from grader.run.protocol import ERROR_CAPACITY, ERROR_OFFSET, Status
 from grader.sandbox.box import Bounds, Box, Isolation
-from grader.sandbox.confine import Target, confined
+from grader.sandbox.confine import confined
 from grader.sandbox.launch import Outcome
+from grader.sandbox.nursery import Nursery
 from grader.sandbox.stage import staged
+from grader.sandbox.target import Target
 
 MODULES = tuple(
     Path(__file__).with_name(f"{name}.py") for name in ("worker", "protocol", "abi")
@@ -57,6 +59,9 @@ class Engine:
     preload: str = ""
     """Shared sanitizer runtime; empty for a plain library."""
 
+    nursery: Nursery | None = None
+    """Keeps boxes from one job to the next; None to start one for each."""
+
 
 @dataclass(frozen=True, slots=True)
 class Allowance:
@@ -96,14 +101,14 @@ def carried_out(job: Job, engine: Engine, allowed: Allowance) -> tuple[Ending, R
     with job.files() as (given, result_file):
         target = Target(
             program="worker",
-            arguments=[str(engine.library), str(given), str(result_file)],
+            arguments=[str(engine.library)],
             seconds=allowed.wall_seconds,
             output_bytes=engine.limits.output_kib << 10,
             descriptors=(given, result_file),
             environment=environment,
         )
         box = Box((entry.parent, engine.library), _bounds(engine, allowed))
-        outcome = confined(target, box, entry, engine.isolation)
+        outcome = confined(target, box, entry, engine.isolation, engine.nursery)
         result = Result(result_file, job.result_size)
     ending = _ending(outcome, job, result, allowed)
     if engine.preload and outcome.code == SANITIZER_EXIT:

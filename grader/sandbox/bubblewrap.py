@@ -8,17 +8,24 @@ Source: bwrap(1); the measurements are in docs/security.md.
 import os
 import re
 import shutil
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 
-from grader.sandbox.box import Box
-from grader.sandbox.launch import Order, launch
+from grader.errors import WorkerFault
+from grader.sandbox.box import Box, Isolation
+from grader.sandbox.launch import Order, Outcome, launch
 from grader.sandbox.visible import DEVICES, hidden_folders, interpreter_paths, system_paths
 
 _USERNS_OPTION = (0, 8)
 """First version with --disable-userns."""
+
+_SIGNAL_BASE = 128
+"""Bubblewrap and shells report death by signal N as 128 + N."""
+
+_LAST_SIGNAL = 64
 
 
 @cache
@@ -95,3 +102,50 @@ def _shown(path: Path) -> Sequence[str]:
 
 def _within(path: Path, roots: Sequence[Path]) -> bool:
     return any(path.is_relative_to(root) for root in roots)
+
+
+@contextmanager
+def wrapped(order: Order, box: Box, isolation: Isolation) -> Iterator[Order]:
+    """Put a command into bubblewrap, whose own environment is empty.
+
+    Raises:
+        WorkerFault: It is not installed any more.
+    """
+    found = find_bubblewrap()
+    if found is None:
+        raise WorkerFault("bubblewrap is gone; install the Debian package bubblewrap")
+    path, version = found
+    environment = order.environment or {}
+    given = os.memfd_create("options", os.MFD_CLOEXEC)
+    shown = os.memfd_create("environment", os.MFD_CLOEXEC)
+    interior = Interior(isolation.interpreter, environment, shown)
+    options = list(arguments(version, box, interior))
+    if order.folder:
+        options += ["--chdir", str(order.folder)]
+    read, write = os.pipe()
+    try:
+        _fill(shown, (f"{name}={value}" for name, value in environment.items()))
+        _fill(given, options)
+        argv = [path, "--args", str(given), "--info-fd", str(write), "--", *order.argv]
+        yield replace(
+            order,
+            argv=argv,
+            folder=None,
+            descriptors=(*order.descriptors, given, shown, write),
+            environment={},
+            uid=isolation.uid,
+            report=read,
+        )
+    finally:
+        for descriptor in (given, shown, read, write):
+            os.close(descriptor)
+
+
+def unwrapped(outcome: Outcome) -> Outcome:
+    """Read the exit code as bubblewrap means it; a submission can imitate it by exiting so."""
+    number = outcome.code - _SIGNAL_BASE
+    return replace(outcome, code=-number) if 0 < number <= _LAST_SIGNAL else outcome
+
+
+def _fill(file: int, words: Iterable[str]) -> None:
+    os.pwrite(file, b"".join(f"{word}\0".encode() for word in words), 0)

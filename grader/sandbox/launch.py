@@ -93,6 +93,9 @@ class _Running:
         with self._lock:
             self._children.discard(child.pid)
 
+    def is_stopped(self) -> bool:
+        return self._stopped.is_set()
+
     def again(self) -> None:
         self._stopped.clear()
 
@@ -112,6 +115,11 @@ def stop_everything() -> None:
     _running.stop()
 
 
+def is_stopped() -> bool:
+    """Whether everything was ended by `stop_everything`."""
+    return _running.is_stopped()
+
+
 def start_again() -> None:
     """Let processes be started after `stop_everything`, once all that it ended is gone."""
     _running.again()
@@ -125,21 +133,36 @@ def launch(order: Order) -> Outcome:
         Interrupted: The grader is being stopped.
         WorkerFault: A process cannot be ended.
     """
-    adopt_orphans()
     started = time.monotonic()
-    child = _running.start(order)
+    child = begin(order)
     with child:
         try:
             streams = [Stream(pipe.fileno(), order.output_bytes) for pipe in _pipes(child)]
             finished, delayed = _watch(child.pid, streams, started + order.seconds)
         finally:
-            _running.forget(child)
-            code, cpu_seconds = reap(child, order.report)
+            code, cpu_seconds = finish(child, order.report)
         for stream in streams:
             stream.drain_all()
     out, err = (stream.kept for stream in streams)
     seconds = time.monotonic() - started
     return Outcome(code, not finished, out, err, seconds, cpu_seconds, delayed)
+
+
+def begin(order: Order) -> subprocess.Popen[bytes]:
+    """Start one process; whoever does has to `finish` it.
+
+    Raises:
+        MissingTool: The program does not exist or may not be started.
+        Interrupted: The grader is being stopped.
+    """
+    adopt_orphans()
+    return _running.start(order)
+
+
+def finish(child: subprocess.Popen[bytes], report: int | None) -> tuple[int, float]:
+    """Kill a process and everything that it started; see `reap`."""
+    _running.forget(child)
+    return reap(child, report)
 
 
 def _start(order: Order) -> subprocess.Popen[bytes]:

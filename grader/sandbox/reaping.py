@@ -12,6 +12,7 @@ import re
 import select
 import signal
 import subprocess
+from contextlib import suppress
 from functools import cache
 
 from grader.errors import WorkerFault
@@ -73,12 +74,19 @@ def _first_process(report: int | None) -> int:
 
 
 def _reap_one(pid: int) -> float:
-    """Wait for the end of a namespace, which the end of bubblewrap has begun."""
+    """End a namespace with its first process.
+
+    The end of bubblewrap does so only if it came after its child had asked for that.
+    """
     try:
         pidfd = os.pidfd_open(pid)
     except ProcessLookupError:
         return 0.0
     try:
+        # Fails if it is not our child: the number may be a stranger's by now.
+        os.waitid(os.P_PIDFD, pidfd, os.WEXITED | os.WNOHANG | os.WNOWAIT)
+        with suppress(ProcessLookupError):
+            signal.pidfd_send_signal(pidfd, signal.SIGKILL)
         if not select.select([pidfd], [], [], PATIENCE_SECONDS)[0]:
             message = f"process {pid} of a submission does not end although it was killed"
             raise WorkerFault(message)

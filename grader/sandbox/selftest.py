@@ -19,7 +19,7 @@ from grader.errors import GraderError, MissingTool, UsageError
 from grader.resources import is_root
 from grader.sandbox.box import BUBBLES, LETTERS, Bounds, Box, Isolation, Level
 from grader.sandbox.bubblewrap import find_bubblewrap
-from grader.sandbox.confine import Target, confined
+from grader.sandbox.confine import confined
 from grader.sandbox.interpreter import (
     is_reachable,
     own_interpreter,
@@ -27,6 +27,7 @@ from grader.sandbox.interpreter import (
 )
 from grader.sandbox.scratch import scratch_folder
 from grader.sandbox.stage import INSIDE, staged
+from grader.sandbox.target import Target
 
 VARIABLE = "BVHGRADE_ISOLATION"
 """Environment variable with which an operator demands one level: A, B or C."""

@@ -15,10 +15,12 @@ import signal
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
+from dataclasses import replace
 from pathlib import Path
 
 from grader.errors import WorkerFault
 from grader.resources import is_root
+from grader.sandbox.box import Box, Isolation, Level
 
 FIRST_UID = 60800
 """In a range that neither Debian nor systemd assigns. Source: systemd's UIDS-GIDS document."""
@@ -48,6 +50,21 @@ def own_user() -> Iterator[int]:
         os.ftruncate(lock, 0)
     finally:
         os.close(lock)
+
+
+@contextmanager
+def settled(box: Box, isolation: Isolation) -> Iterator[Isolation]:
+    """Give a box a user of its own, and the folder that it may write to; the level with both.
+
+    Raises:
+        WorkerFault: There is no user for it.
+    """
+    with own_user() as slot:
+        uid = slot if isolation.level is not Level.NONE else 0
+        if box.writable and uid:
+            # Still empty, and in a folder that only we can change: nothing can be a link.
+            os.chown(box.writable, uid, uid, follow_symlinks=False)
+        yield replace(isolation, uid=uid)
 
 
 def _free_slot() -> tuple[int, int]:

@@ -18,7 +18,7 @@ from pathlib import Path
 from grader.resources import shared_cache
 
 INSIDE = Path(__file__).with_name("inside")
-ENTRY = ("start.py", "enter.py", "landlock.py")
+ENTRY = ("start.py", "enter.py", "nursery.py", "channel.py", "landlock.py")
 
 
 def staged(modules: tuple[Path, ...] = ()) -> Path:

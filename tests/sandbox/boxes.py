@@ -7,9 +7,10 @@ from pathlib import Path
 
 from grader.resources import is_root
 from grader.sandbox.box import Bounds, Box, Isolation, Level
-from grader.sandbox.confine import Target, confined
+from grader.sandbox.confine import confined
 from grader.sandbox.launch import Outcome
 from grader.sandbox.stage import staged
+from grader.sandbox.target import Target
 
 LEVELS = ("A", "B")
 SNIPPET = (Path(__file__).with_name("snippet.py"),)

@@ -11,10 +11,10 @@ from pathlib import Path
 
 import pytest
 
-from grader.sandbox import confine
+from grader.sandbox import words
 from grader.sandbox.box import Isolation
 from grader.sandbox.selftest import proved_isolation
-from tests.sandbox.boxes import as_worker, python_as_compiler
+from tests.sandbox.boxes import Given, as_worker, python_as_compiler
 from tests.sandbox.census import all_gone, wait_for_words, with_word, zombies
 
 PATH = os.pathsep.join([str(Path(__file__).parents[2]), os.environ.get("PYTHONPATH", "")])
@@ -57,6 +57,13 @@ def token() -> Generator[str]:
         os.kill(pid, signal.SIGKILL)
 
 
+def marked(open_folder: Path, token: str) -> Given:
+    """Have a word in the command line of a box: it is told which folders may be read."""
+    folder = open_folder / token
+    folder.mkdir(exist_ok=True)
+    return Given(readable=(folder,))
+
+
 def test_a_daemon_ends_with_its_box(
     isolation: Isolation, open_folder: Path, token: str
 ) -> None:
@@ -76,7 +83,7 @@ def test_a_daemon_with_a_session_ends_with_its_namespace(
 
     Level B holds it by that alone: what is in no other group ends with its group.
     """
-    monkeypatch.setattr(confine, "compiler_filter", lambda: b"")
+    monkeypatch.setattr(words, "compiler_filter", lambda: b"")
     code = DAEMON.format(token=token, work="pass", then="")
     own = open_folder / "own"
     outcome = python_as_compiler(proved_isolation("A"), own, code)
@@ -106,10 +113,10 @@ def test_time_of_a_worker_is_counted(isolation: Isolation) -> None:
     assert idle.cpu_seconds < 0.5
 
 
-def test_no_zombie_is_left(isolation: Isolation, token: str) -> None:
+def test_no_zombie_is_left(isolation: Isolation, open_folder: Path, token: str) -> None:
     """Bubblewrap's first process of a namespace included, however the worker ends."""
     for code in ("pass", "os._exit(3)", "os.abort()", "os.kill(os.getpid(), 9)"):
-        as_worker(isolation, f"# {token}\n{code}")
+        as_worker(isolation, code, marked(open_folder, token))
     assert zombies() == set()
     assert with_word(token) == set()
 
@@ -149,8 +156,8 @@ from tests.sandbox.boxes import Given, as_worker
 isolation = proved_isolation(sys.argv[1])
 ready, tell = os.pipe()
 outcomes = []
-code = "os.write(int(arguments[0]), b'x')\\ntime.sleep(600)  # {token}"
-given = Given(seconds=900.0, descriptors=(tell,), words=[str(tell)])
+code = "os.write(int(arguments[0]), b'x')\\ntime.sleep(600)"
+given = Given(seconds=900.0, descriptors=(tell,), readable=(Path(sys.argv[2]),))
 run = lambda: outcomes.append(as_worker(isolation, code, given))
 threads = [threading.Thread(target=run) for _ in range(2)]
 for each in threads: each.start()
@@ -167,11 +174,12 @@ except Interrupted as fault:
 """
 
 
-def grader(isolation: Isolation, token: str, cache: Path) -> "subprocess.Popen[str]":
-    """Start a grader that runs two workers."""
+def grader(isolation: Isolation, folder: Path, cache: Path) -> "subprocess.Popen[str]":
+    """Start a grader that runs two workers, which may read a folder."""
     letter = "A" if isolation.level.value.startswith("bubblewrap") else "B"
+    folder.mkdir()
     process = subprocess.Popen(
-        [sys.executable, "-c", textwrap.dedent(GRADER.replace("{token}", token)), letter],
+        [sys.executable, "-c", textwrap.dedent(GRADER), letter, str(folder)],
         env={**os.environ, "BVHGRADE_CACHE": str(cache), "PYTHONPATH": PATH},
         stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
@@ -182,19 +190,21 @@ def grader(isolation: Isolation, token: str, cache: Path) -> "subprocess.Popen[s
     return process
 
 
-def test_everything_can_be_stopped(isolation: Isolation, token: str, cache: Path) -> None:
+def test_everything_can_be_stopped(
+    isolation: Isolation, open_folder: Path, token: str, cache: Path
+) -> None:
     """Boxes that run end at once, and no other begins."""
-    process = grader(isolation, token, cache)
+    process = grader(isolation, open_folder / token, cache)
     said, _ = process.communicate("\n")
     assert said.splitlines() == ["[-9, -9]", "the grader was asked to stop"]
     assert with_word(token) == set()
 
 
 def test_no_box_outlives_a_grader_that_is_killed(
-    isolation: Isolation, token: str, cache: Path
+    isolation: Isolation, open_folder: Path, token: str, cache: Path
 ) -> None:
     """Nothing of the grader runs any more that could tidy up."""
-    process = grader(isolation, token, cache)
+    process = grader(isolation, open_folder / token, cache)
     running = with_word(token) - {process.pid}
     assert len(running) >= 2
     process.kill()
@@ -213,7 +223,7 @@ static_assert(all<800> != 0);
 
 
 PHASES = {
-    "runs": (LOOP, ("\0worker\0{folder}", "filter=")),
+    "runs": (LOOP, ("={folder}", "\0worker\0", "filter=")),
     "compiles": (LONG, ("cc1plus",)),
 }
 """A submission that stays there for ever, and words of its process, not of one of ours."""

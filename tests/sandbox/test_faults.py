@@ -4,17 +4,19 @@ import signal
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
+from subprocess import Popen
 
 import pytest
 
 from grader.errors import MissingTool, WorkerFault
 from grader.run.job import Job
 from grader.run.session import Engine, run_job
-from grader.sandbox import confine
+from grader.sandbox import confine, kept, launch, nursery, words
 from grader.sandbox.box import Box, Isolation
-from grader.sandbox.confine import ATTEMPTS, Target, confined
-from grader.sandbox.launch import Order, Outcome, launch
+from grader.sandbox.confine import confined
+from grader.sandbox.launch import Order, begin
 from grader.sandbox.stage import staged
+from grader.sandbox.target import ATTEMPTS, Target
 from tests.compiled import PATIENT, engine_of
 from tests.sandbox.boxes import SNIPPET, WORKER_BOUNDS, as_worker
 
@@ -24,25 +26,27 @@ def launches(monkeypatch: pytest.MonkeyPatch) -> list[Order]:
     """List the processes that are started from now on."""
     seen: list[Order] = []
 
-    def counted(order: Order) -> Outcome:
+    def counted(order: Order) -> Popen[bytes]:
         seen.append(order)
-        return launch(order)
+        return begin(order)
 
-    monkeypatch.setattr(confine, "launch", counted)
+    monkeypatch.setattr(nursery, "begin", counted)
+    monkeypatch.setattr(launch, "begin", counted)
     return seen
 
 
 def spoil(monkeypatch: pytest.MonkeyPatch, times: int) -> None:
     """Let the first processes fail to confine themselves."""
-    real, left = confine._specification, [True] * times
+    real, left = words.specification, [True] * times
 
-    def spoiled(box: Box, isolation: Isolation) -> Iterator[str]:
-        yield from real(box, isolation)
+    def spoiled(box: Box, isolation: Isolation, waits: bool) -> Iterator[str]:
+        yield from real(box, isolation, waits)
         if left:
             left.pop()
-            yield "cpu=many"
+            yield "file=many"
 
-    monkeypatch.setattr(confine, "_specification", spoiled)
+    for module in (confine, kept):
+        monkeypatch.setattr(module, "specification", spoiled)
 
 
 def test_one_failure_is_forgiven(

@@ -15,9 +15,11 @@ from grader.run.protocol import Op
 from grader.run.session import Allowance, Engine, run_job
 from grader.run.transfer import give_mesh, read_tree
 from grader.sandbox.box import Box, Isolation
-from grader.sandbox.confine import Target, confined
+from grader.sandbox.confine import confined
 from grader.sandbox.launch import Outcome
+from grader.sandbox.nursery import Nursery
 from grader.sandbox.streams import DROPPED
+from grader.sandbox.target import Target
 from tests.compiled import PATIENT, compilation, engine_of, submission_of
 from tests.sandbox.boxes import counts_tasks
 
@@ -119,7 +121,9 @@ def test_computing_time_that_the_kernel_did_not_stop(
 ) -> None:
     """Its own limit counts ticks and may come late; what was seen in the end decides."""
 
-    def late(target: Target, box: Box, entry: Path, isolation: Isolation) -> Outcome:
+    def late(
+        target: Target, box: Box, entry: Path, isolation: Isolation, _: Nursery | None
+    ) -> Outcome:
         return replace(confined(target, box, entry, isolation), cpu_seconds=seconds)
 
     monkeypatch.setattr("grader.run.session.confined", late)

@@ -9,7 +9,7 @@ import pytest
 from grader import resources
 from grader.errors import WorkerFault
 from grader.resources import is_root
-from grader.sandbox import bubblewrap, confine
+from grader.sandbox import bubblewrap, confine, kept, words
 from grader.sandbox import selftest as module
 from grader.sandbox.box import Box, Isolation, Level
 from grader.sandbox.launch import PLAIN_ENVIRONMENT
@@ -27,19 +27,19 @@ def without(monkeypatch: pytest.MonkeyPatch) -> Without:
     """
 
     def take(*names: str) -> None:
-        specification, arguments = confine._specification, bubblewrap.arguments
+        specification, arguments = words.specification, bubblewrap.arguments
 
-        def fewer_words(box: Box, level: Isolation) -> Iterator[str]:
-            return (
-                word for word in specification(box, level) if word.split("=")[0] not in names
-            )
+        def fewer_words(box: Box, level: Isolation, waits: bool) -> Iterator[str]:
+            given = specification(box, level, waits)
+            return (word for word in given if word.split("=")[0] not in names)
 
         def fewer_options(
             version: tuple[int, ...], box: Box, interior: bubblewrap.Interior
         ) -> Iterator[str]:
             return (word for word in arguments(version, box, interior) if word not in names)
 
-        monkeypatch.setattr(confine, "_specification", fewer_words)
+        for module_of_ours in (confine, kept):
+            monkeypatch.setattr(module_of_ours, "specification", fewer_words)
         monkeypatch.setattr(bubblewrap, "arguments", fewer_options)
 
     return take
@@ -156,7 +156,8 @@ def test_without_a_limit(isolation: Isolation, without: Without, word: str, flaw
 def test_a_variable_of_ours(isolation: Isolation, monkeypatch: pytest.MonkeyPatch) -> None:
     """Whatever is not plain is seen."""
     more = {**PLAIN_ENVIRONMENT, "BVHGRADE_TOKEN": "x"}
-    monkeypatch.setattr(confine, "PLAIN_ENVIRONMENT", more)
+    for module_of_ours in (confine, kept):
+        monkeypatch.setattr(module_of_ours, "PLAIN_ENVIRONMENT", more)
     flaw = {"sees the grader's environment"}
     assert flaws(isolation) == (flaw, flaw)
 

@@ -1,7 +1,7 @@
 """What every confined process does first: give up its rights, then become what was ordered.
 
 Started as `python -I -S start.py key=value ... -- TARGET ARGUMENT ...`. A target with a slash
-is a program to execute; any other is a module beside this file whose `main` gets the arguments.
+is a program to execute; any other is a module beside this file, for which nursery.py waits.
 What the module imports is loaded before the doors close, so that the box needs no Python.
 
 Until the last line of `confine` this process runs trusted code only, whatever rights it has.
@@ -56,10 +56,8 @@ def confine(spec: Mapping[str, str]) -> None:
         os.setgroups([])
         os.setresgid(uid, uid, uid)
         os.setresuid(uid, uid, uid)
-    # After the change of user, which clears it. Whoever is orphaned already has to go now.
-    control(library, PR_SET_PDEATHSIG, SIGKILL)
-    if "parent" in spec and os.getppid() != int(spec["parent"]):
-        os._exit(1)
+    # After the change of user, which clears it.
+    tie(library, spec)
     control(library, PR_SET_DUMPABLE, 0)
     control(library, PR_SET_NO_NEW_PRIVS, 1)
     if "landlock" in spec:
@@ -72,6 +70,13 @@ def confine(spec: Mapping[str, str]) -> None:
         held = ctypes.create_string_buffer(code)
         program = Program(len(code) // 8, ctypes.addressof(held))
         control(library, PR_SET_SECCOMP, SECCOMP_MODE_FILTER, ctypes.addressof(program))
+
+
+def tie(library: ctypes.CDLL, spec: Mapping[str, str]) -> None:
+    """Have this process killed with its parent; whoever is orphaned already goes now."""
+    control(library, PR_SET_PDEATHSIG, SIGKILL)
+    if "parent" in spec and os.getppid() != int(spec["parent"]):
+        os._exit(1)
 
 
 def limit(spec: Mapping[str, str]) -> None:
@@ -125,7 +130,10 @@ def control(library: ctypes.CDLL, what: int, *values: int) -> None:
 
 
 def announce(spec: Mapping[str, str]) -> None:
-    """Tell the grader that all doors are closed; what happens from now on is not our fault."""
+    """Tell the grader that all doors are closed; what happens from now on is not our fault.
+
+    By a pipe or a socket: the filter leaves `write` for both.
+    """
     ready = int(spec["ready"])
     os.write(ready, b"r")
     os.close(ready)
@@ -145,11 +153,10 @@ def main(arguments: Sequence[str]) -> None:
     spec = dict(word.split("=", 1) for word in arguments[:cut])
     target, *rest = arguments[cut + 1 :]
     close_others(spec)
-    if "/" in target:
-        confine(spec)
-        announce(spec)
-        os.execv(target, [target, *rest])  # noqa: S606 - that is what it is for
-    module = __import__(target)
+    if "/" not in target:
+        # By name: the package is out of reach here, the file beside this one is not.
+        __import__("nursery").serve(spec, target)
+        return
     confine(spec)
     announce(spec)
-    module.main(rest)
+    os.execv(target, [target, *rest])  # noqa: S606 - that is what it is for
