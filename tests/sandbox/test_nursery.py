@@ -77,7 +77,8 @@ def test_nothing_of_a_case_is_left(isolation: Isolation, own: Nursery) -> None:
     """No memory, no handler, no limit, no folder, no open file."""
     show = """
 print(library.mark if hasattr(library, "mark") else 0, signal.getsignal(signal.SIGUSR1),
-      resource.getrlimit(resource.RLIMIT_CPU), os.getcwd(), os.environ.get("MARK"))
+      resource.getrlimit(resource.RLIMIT_CPU), os.getcwd(), os.environ.get("MARK"),
+      [fcntl.fcntl(descriptor, fcntl.F_GETFL) for descriptor in range(3)])
 for descriptor in range(20):
     try: print(descriptor, os.fstat(descriptor).st_mode)
     except OSError: pass
@@ -88,6 +89,8 @@ library.mark = 1
 os.environ["MARK"] = "1"
 signal.signal(signal.SIGUSR1, signal.SIG_IGN)
 os.dup(1)
+for descriptor in range(3):
+    fcntl.fcntl(descriptor, fcntl.F_SETFL, os.O_NONBLOCK | os.O_APPEND)
 print("changed")
 """
     assert ran(isolation, own, changed).out == b"changed\n"

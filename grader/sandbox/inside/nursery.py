@@ -81,8 +81,10 @@ def _become(
     """Take the two output pipes for one's own, give up every right, run the target."""
     seconds, arguments = channel.read_request(data)
     out, err, *given = files
-    os.dup2(out, 1)
-    os.dup2(err, 2)
+    # Flags of an open file are shared with whoever has it too: with the copies that follow.
+    nothing = os.open(os.devnull, os.O_RDONLY)
+    for place, file in enumerate((nothing, out, err)):
+        os.dup2(file, place)
     numbers = [str(file) for file in given]
     spec = {**spec, "keep": ",".join(numbers)}
     if seconds != "0":
