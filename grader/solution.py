@@ -4,8 +4,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-import numpy as np
-
 from grader.build.reference import reference_library
 from grader.errors import WorkerFault
 from grader.model.cases import Case, SurvivalCase, TreeCase
@@ -13,7 +11,7 @@ from grader.model.grade import Limits
 from grader.model.mesh import Bvh, Mesh
 from grader.model.stages import Stop
 from grader.model.trials import ConstructTrial, Trial, WorkTrial
-from grader.oracle.plan import Plan, make_plan
+from grader.oracle.plan import Plan, kept_plan
 from grader.oracle.remember import digest_of, remember
 from grader.oracle.scenes import scenes_sha256
 from grader.run.batches import run_batch
@@ -72,7 +70,7 @@ class Solution:
         """
         key = (seed, self._library, scenes_sha256())
         if _kept.key != key:
-            _kept.plan = make_plan(seed, self.trees)
+            _kept.plan = kept_plan(seed, self.trees, self._library.name)
             _kept.key = key
         return _kept.plan
 
@@ -110,15 +108,7 @@ class Solution:
 
     def _tree(self, mesh: Mesh) -> Bvh:
         key = digest_of("tree", self._library.name, mesh.vertices, mesh.faces)
-        arrays = remember(key, lambda: _arrays(self._build(mesh)))
-        return Bvh(
-            low=arrays["low"],
-            high=arrays["high"],
-            begin=arrays["begin"],
-            end=arrays["end"],
-            order=arrays["order"],
-            node_count=int(arrays["count"][0]),
-        )
+        return remember(key, lambda: self._build(mesh))
 
     def _build(self, mesh: Mesh) -> Bvh:
         cases = self._run([ConstructTrial("reference", mesh)])
@@ -136,17 +126,6 @@ class Solution:
                 message = f"the reference failed on {case.name}: {case.ending.detail}"
                 raise WorkerFault(message)
         return cases
-
-
-def _arrays(bvh: Bvh) -> dict[str, np.ndarray]:
-    return {
-        "low": bvh.low,
-        "high": bvh.high,
-        "begin": bvh.begin,
-        "end": bvh.end,
-        "order": bvh.order,
-        "count": np.array([bvh.node_count], dtype=np.int64),
-    }
 
 
 def _silent(done: int, total: int) -> None:

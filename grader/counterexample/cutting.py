@@ -26,7 +26,7 @@ from grader.oracle.altered import altered_trials
 from grader.oracle.balanced import balanced_tree
 from grader.oracle.brute import answers, chosen
 from grader.oracle.costs import plain_costs
-from grader.oracle.plan import other_form
+from grader.oracle.forms import other_form
 from grader.oracle.tracing import answers_of
 
 Trees = Callable[[Sequence[Mesh]], Sequence[Bvh]]

@@ -5,14 +5,13 @@ index shows. Every vertex belongs to a face, so that the mesh's box is the faces
 """
 
 import zlib
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 
 import numpy as np
 
 from grader.model.mesh import Doubles, Mesh
 from grader.oracle import shapes
-from grader.oracle.remember import Arrays, digest_of, remember
-from grader.oracle.scenes import load_mesh, scenes_sha256
+from grader.oracle.scenes import load_mesh
 from grader.oracle.shapes import Soup
 from grader.tolerances import FACES_PER_LEAF, MAX_DEPTH
 
@@ -28,17 +27,7 @@ def generator(seed: int, *names: str) -> np.random.Generator:
 
 def construct_meshes(seed: int) -> list[Named]:
     """Make the meshes that trees are built over, but for `depth_mesh`."""
-    names = (*SHAPES, *STORED)
-    # As one entry: drawing them all takes ten times as long as reading them.
-    key = digest_of("meshes", seed, scenes_sha256())
-    arrays = remember(key, lambda: _arrays(seed, names))
-    return [(name, Mesh(arrays[f"{name} v"], arrays[f"{name} f"])) for name in names]
-
-
-def _arrays(seed: int, names: Iterable[str]) -> Arrays:
-    meshes = {name: mesh_named(seed, name) for name in names}
-    vertices = {f"{name} v": mesh.vertices for name, mesh in meshes.items()}
-    return {**vertices, **{f"{name} f": mesh.faces for name, mesh in meshes.items()}}
+    return [(name, mesh_named(seed, name)) for name in (*SHAPES, *STORED)]
 
 
 def mesh_named(seed: int, name: str) -> Mesh:

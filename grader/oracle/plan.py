@@ -1,11 +1,12 @@
 """What is a submission asked to do, and what is right? All trials of one seed."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
-from grader.model.mesh import Answers, Bvh, Mesh, Rays
+from grader.model.mesh import Bvh, Mesh, Rays
 from grader.model.trials import (
     AlteredTrial,
     ConstructTrial,
@@ -21,10 +22,11 @@ from grader.oracle.brute import NOTHING, answers, chosen, nearest
 from grader.oracle.bundle import around, beams, stage_for, within
 from grader.oracle.costs import plain_costs
 from grader.oracle.exact import exact_trial, lattice
+from grader.oracle.forms import other_form
 from grader.oracle.meshes import TRACED, construct_meshes, depth_mesh, generator
 from grader.oracle.rays import Request
-from grader.oracle.remember import Arrays, digest_of, remember
-from grader.oracle.scenes import image_trials, load_mesh
+from grader.oracle.remember import digest_of, remember
+from grader.oracle.scenes import image_trials, load_mesh, scenes_sha256
 from grader.oracle.spines import DEEPEST, spine_trial
 from grader.oracle.tracing import sample, traced
 from grader.tolerances import MAX_DEPTH
@@ -71,10 +73,6 @@ DEEPEST_STEP = 701
 SPINE_STEP = 7
 """One of so many rays of the deepest tree is for the sanitized build."""
 
-TRIMMED = ("terrain-600", "cloud-5", "soup-degenerate")
-PADDED = ("cloud-37", "parallel-quads", "cloud-4")
-"""Meshes whose trees come in the other form that the sheet allows for empty slots."""
-
 
 @dataclass(frozen=True, slots=True)
 class Plan:
@@ -83,6 +81,15 @@ class Plan:
     trials: tuple[Trial, ...]
     faults: tuple[tuple[str, str], ...]
     """Name of a trial whose answers cannot be trusted, and why: our own fault."""
+
+
+class Drawn(NamedTuple):
+    """What depends on the seed and takes long."""
+
+    first: tuple[Trial, ...]
+    repeats: tuple[RepeatTrial, ...]
+    faults: tuple[tuple[str, str], ...]
+    """As of the plan."""
 
 
 def make_plan(seed: int, trees: Trees) -> Plan:
@@ -96,6 +103,48 @@ def make_plan(seed: int, trees: Trees) -> Plan:
         OracleFault: A stored mesh or picture is missing, damaged or stale.
         MissingTool: embreex is not installed.
     """
+    return assembled(seed, drawn(seed, trees), image_trials(trees))
+
+
+def kept_plan(seed: int, trees: Trees, builder: str) -> Plan:
+    """Return `make_plan`, with its parts from the cache if they are there.
+
+    Args:
+        seed: As for `make_plan`.
+        trees: As for `make_plan`.
+        builder: Names what builds the trees: another name, other trees.
+
+    Raises:
+        OracleFault: As `make_plan`.
+        MissingTool: As `make_plan`.
+    """
+    source = (builder, scenes_sha256())
+    # Two entries: pictures are the same for all seeds. Together they are read in one tenth of
+    # the time that it takes to read and put together what they are made from.
+    pictures = remember(digest_of("pictures", source), lambda: tuple(image_trials(trees)))
+    parts = remember(digest_of("drawn", source, seed), lambda: drawn(seed, trees))
+    return assembled(seed, Drawn(*parts), pictures)
+
+
+def assembled(seed: int, parts: Drawn, pictures: Sequence[ImageTrial]) -> Plan:
+    """Put all trials in order, and add those that are made faster than they are read."""
+    trials: tuple[Trial, ...] = (
+        *parts.first,
+        *_deepest(pictures),
+        *_spines(seed, DEEPEST),
+        *parts.repeats,
+        *pictures,
+    )
+    return Plan(trials, parts.faults)
+
+
+def drawn(seed: int, trees: Trees) -> Drawn:
+    """Draw what takes long.
+
+    Args:
+        seed: As for `make_plan`.
+        trees: As for `make_plan`.
+    """
     meshes = dict(construct_meshes(seed))
     built = dict(zip(TRACED, trees([meshes[name] for name in TRACED]), strict=True))
     made = [
@@ -108,20 +157,16 @@ def make_plan(seed: int, trees: Trees) -> Plan:
         for special in (False, True)
     ]
     tracing = [each.trial for each in made]
-    pictures = image_trials(trees)
-    trials: tuple[Trial, ...] = (
+    first: tuple[Trial, ...] = (
         *_construct_trials(meshes),
         *_altered(seed, meshes, built),
         *_work_trials(seed, trees),
         *tracing,
         *_exact_trials(seed, trees),
         *_sampled(tracing),
-        *_deepest(pictures),
-        *_spines(seed, DEEPEST),
-        *_repeats(seed, meshes, built),
-        *pictures,
     )
-    return Plan(trials, tuple((each.trial.name, each.fault) for each in made if each.fault))
+    faults = tuple((each.trial.name, each.fault) for each in made if each.fault)
+    return Drawn(first, tuple(_repeats(seed, meshes, built)), faults)
 
 
 def deeper_trials(seed: int) -> list[TraceTrial]:
@@ -161,7 +206,7 @@ def _work_trials(seed: int, trees: Trees) -> list[WorkTrial]:
     trials = []
     for (name, count), mesh, tree in zip(WORK, meshes, trees(meshes), strict=True):
         rays = _incoherent(seed, name, mesh, count)
-        boxes, triangles = _remembered_costs(tree, rays)
+        boxes, triangles = plain_costs(tree, rays)
         trials.append(WorkTrial(f"work on {name}", mesh, tree, rays, boxes, triangles))
     return trials
 
@@ -171,28 +216,6 @@ def _incoherent(seed: int, name: str, mesh: Mesh, count: int) -> Rays:
     stage = stage_for(mesh, generator(seed, name, "work"), lambda _: NOTHING)
     origin = around(stage, count, 1.0)
     return beams(origin, within(stage, count) - origin)
-
-
-def _remembered_answers(mesh: Mesh, rays: Rays, tree: Bvh) -> Answers:
-    """Return `answers`, from the cache if they are there."""
-    given = (mesh.vertices, mesh.faces, rays.origin, rays.direction, tree.begin, tree.end)
-    key = digest_of("answers", *given, tree.order)
-
-    def compute() -> Arrays:
-        found = answers(mesh, rays, tree)
-        return {field.name: getattr(found, field.name) for field in fields(Answers)}
-
-    return Answers(**remember(key, compute))
-
-
-def _remembered_costs(tree: Bvh, rays: Rays) -> tuple[float, float]:
-    """Return `plain_costs`, from the cache if it is there."""
-    parts = (tree.low, tree.high, tree.begin, tree.end, rays.origin, rays.direction)
-    key = digest_of("plain", *parts)
-    (boxes, triangles) = remember(key, lambda: {"mean": np.array(plain_costs(tree, rays))})[
-        "mean"
-    ].tolist()
-    return boxes, triangles
 
 
 def _exact_trials(seed: int, trees: Trees) -> list[TraceTrial]:
@@ -253,34 +276,8 @@ def _repeats(seed: int, meshes: dict[str, Mesh], built: dict[str, Bvh]) -> list[
                 other_mesh=meshes[other],
                 other_tree=built[other],
                 rays=rays,
-                answers=_remembered_answers(meshes[name], rays, built[name]),
-                other_answers=_remembered_answers(meshes[other], rays, built[other]),
+                answers=answers(meshes[name], rays, built[name]),
+                other_answers=answers(meshes[other], rays, built[other]),
             )
         )
     return trials
-
-
-def other_form(name: str, tree: Bvh) -> Bvh:
-    """Return a tree with empty slots at the end left out, or with more of them."""
-    used = int(np.flatnonzero(tree.end)[-1]) + 1
-    if name in TRIMMED:
-        return _resized(tree, used)
-    if name in PADDED:
-        return _resized(tree, (2 << used.bit_length()) - 1)
-    return tree
-
-
-def _resized(tree: Bvh, count: int) -> Bvh:
-    """Return a tree of `count` nodes; new ones are `Node{}`."""
-    kept = min(count, tree.end.size)
-    more = count - kept
-    corner = np.full((more, 3), np.inf, dtype=np.float32)
-    none = np.zeros(more, dtype=np.uint32)
-    return replace(
-        tree,
-        low=np.concatenate([tree.low[:kept], corner]),
-        high=np.concatenate([tree.high[:kept], -corner]),
-        begin=np.concatenate([tree.begin[:kept], none]),
-        end=np.concatenate([tree.end[:kept], none]),
-        node_count=count,
-    )

@@ -1,31 +1,29 @@
-"""Which arrays were computed before? A cache on disk that is never trusted blindly.
+"""What was computed before? A cache on disk that is never trusted blindly.
 
 Theory of operation. The name of an entry is a hash of all that it was computed from and of the
-oracle's own source text, so an entry can be unused but not out of date. An entry is one file:
-a hash of what follows, then the arrays. It is written beside its place and renamed, and it is
-read back only if the hash fits; anything else is computed again. Reading an entry marks it as
-used; when all entries together are too large, those unused for the longest time are dropped.
+oracle's own source text and the records', so an entry can be unused but not out of date. An
+entry is one file, which begins with a hash of the rest. It is written beside its place and
+renamed, and it is read back only if the hash fits; anything else is computed again. Reading an
+entry marks it as used; when all entries together are too large, those unused for the longest
+time are dropped.
 """
 
 import hashlib
-import io
 import os
 import tempfile
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
-import numpy.typing as npt
 
+from grader.oracle.container import sealed, unsealed
 from grader.resources import private_cache
 
-Arrays = Mapping[str, npt.NDArray[Any]]
+Kept = TypeVar("Kept")
 LARGEST = 2 << 30
 """Bytes of all entries together."""
-
-DIGEST = hashlib.sha256().digest_size
 
 
 def digest_of(*parts: object) -> str:
@@ -45,73 +43,51 @@ def hash_of(*parts: object) -> bytes:
     return digest.digest()
 
 
-def remember(key: str, compute: Callable[[], Arrays]) -> Arrays:
-    """Return arrays from the cache, or compute and keep them.
+def remember(key: str, compute: Callable[[], Kept]) -> Kept:
+    """Return a value from the cache, or compute and keep it.
 
     Args:
-        key: From `digest_of`, of everything that the arrays depend on.
-        compute: Computes the arrays.
+        key: From `digest_of`, of everything that the value depends on.
+        compute: Computes what `container.sealed` takes.
     """
     folder = private_cache("oracle")
     path = folder / key
-    arrays = _read(path)
-    if arrays is None:
-        arrays = compute()
+    kept: Kept | None = _read(path)
+    if kept is None:
+        kept = compute()
         folder.mkdir(mode=0o700, exist_ok=True)
-        _write(path, arrays)
+        _write(path, kept)
         _drop_oldest(folder)
-    return arrays
-
-
-def sealed(arrays: Arrays, compress: bool = False) -> bytes:
-    """Turn arrays into bytes that `unsealed` can tell from damaged ones.
-
-    Args:
-        arrays: Arrays by name.
-        compress: Deflate them.
-    """
-    body = io.BytesIO()
-    save = np.savez_compressed if compress else np.savez
-    save(body, **dict(arrays))  # type: ignore[arg-type]  # numpy's stub takes no mapping
-    content = body.getvalue()
-    return hashlib.sha256(content).digest() + content
-
-
-def unsealed(content: bytes) -> Arrays | None:
-    """Return the arrays of `sealed`; None if the bytes are not whole."""
-    body = memoryview(content)[DIGEST:]
-    if hashlib.sha256(body).digest() != content[:DIGEST]:
-        return None
-    with np.load(io.BytesIO(body), allow_pickle=False) as stored:
-        return {name: stored[name] for name in stored.files}
+    return kept
 
 
 @cache
 def _own_source() -> bytes:
-    """Hash the oracle's source, so that a change in it makes every entry unused."""
+    """Hash the source of oracle and records: a change in it makes every entry unused."""
     digest = hashlib.sha256(np.__version__.encode())
-    for path in sorted(Path(__file__).parent.glob("*.py")):
-        digest.update(path.read_bytes())
-    digest.update((Path(__file__).parents[1] / "tolerances.py").read_bytes())
+    package = Path(__file__).parents[1]
+    for pattern in ("oracle/*.py", "model/*.py", "tolerances.py"):
+        for path in sorted(package.glob(pattern)):
+            digest.update(path.read_bytes())
     return digest.digest()
 
 
-def _read(path: Path) -> Arrays | None:
+def _read(path: Path) -> Any:  # noqa: ANN401 - whatever was kept
     """Read an entry; None if there is none that is whole."""
     try:
-        arrays = unsealed(path.read_bytes())
+        kept = unsealed(np.fromfile(path, dtype=np.uint8))
     except OSError:
         return None
-    if arrays is not None:
+    if kept is not None:
         os.utime(path)
-    return arrays
+    return kept
 
 
-def _write(path: Path, arrays: Arrays) -> None:
+def _write(path: Path, value: object) -> None:
     """Write an entry in one step; a full disk only costs the entry."""
     try:
         with tempfile.NamedTemporaryFile(dir=path.parent, delete=False) as file:
-            file.write(sealed(arrays))
+            file.writelines(sealed(value))
         Path(file.name).replace(path)
     except OSError:
         return

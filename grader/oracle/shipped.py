@@ -8,16 +8,20 @@ because the candidates give them. A file that is not whole or belongs to somethi
 as absent, and the answers are computed: nothing but time depends on the file.
 """
 
-from dataclasses import fields
+import hashlib
+import io
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 from grader.errors import OutputFault
 from grader.model.mesh import Answers, Bvh, Bytes, Doubles, Mesh
 from grader.model.scene import Reference
 from grader.oracle.brute import RULE_VERSION, Candidates, answers, nearest
-from grader.oracle.remember import Arrays, digest_of, hash_of, remember, sealed, unsealed
+from grader.oracle.remember import digest_of, hash_of, remember
 from grader.oracle.storage import packed, unpacked
 from grader.tolerances import (
     EDGE_ERROR,
@@ -29,6 +33,8 @@ from grader.tolerances import (
     WILD_PADDING,
 )
 
+Arrays = Mapping[str, npt.NDArray[Any]]
+DIGEST = hashlib.sha256().digest_size
 FORMAT = 1
 """Goes up with every change in what the arrays of a file mean."""
 
@@ -62,7 +68,7 @@ def picture_answers(path: Path, mesh: Mesh, tree: Bvh, picture: Reference) -> An
         return found
     # The key of a picture covers its mesh; the answers do not depend on the tree.
     key = digest_of("picture", _belongs_to(picture))
-    return Answers(**remember(key, lambda: _fields(computed_answers(mesh, tree, picture))))
+    return remember(key, lambda: computed_answers(mesh, tree, picture))
 
 
 def computed_answers(mesh: Mesh, tree: Bvh, picture: Reference) -> Answers:
@@ -93,7 +99,7 @@ def write_answers(path: Path, picture: Reference, found: Answers) -> None:
         "kind": found.kind,
     }
     try:
-        path.write_bytes(sealed(arrays, compress=True))
+        path.write_bytes(deflated(arrays))
     except OSError as fault:
         raise OutputFault(f"{path}: the answers cannot be written ({fault})") from fault
 
@@ -101,12 +107,29 @@ def write_answers(path: Path, picture: Reference, found: Answers) -> None:
 def read_answers(path: Path, picture: Reference) -> Answers | None:
     """Read the answers of a picture; None if there are none that are whole and its own."""
     try:
-        arrays = unsealed(path.read_bytes())
+        arrays = _inflated(path.read_bytes())
     except OSError:
         return None
     if arrays is None or not np.array_equal(arrays.get("belongs_to", 0), _belongs_to(picture)):
         return None
     return _restored(arrays)
+
+
+def deflated(arrays: Arrays) -> bytes:
+    """Turn arrays into the bytes of a file, which begin with a hash of the rest."""
+    body = io.BytesIO()
+    np.savez_compressed(body, **dict(arrays))  # type: ignore[arg-type]  # numpy's stub takes no mapping
+    content = body.getvalue()
+    return hashlib.sha256(content).digest() + content
+
+
+def _inflated(content: bytes) -> Arrays | None:
+    """Undo `deflated`; None if the bytes are not whole."""
+    body = memoryview(content)[DIGEST:]
+    if hashlib.sha256(body).digest() != content[:DIGEST]:
+        return None
+    with np.load(io.BytesIO(body), allow_pickle=False) as stored:
+        return {name: stored[name] for name in stored.files}
 
 
 def _belongs_to(picture: Reference) -> Bytes:
@@ -140,8 +163,3 @@ def _planes(numbers: Doubles) -> Bytes:
 def _numbers(planes: Bytes) -> Doubles:
     """Undo `_planes`."""
     return np.ascontiguousarray(planes.T).view("<f8").ravel().astype(np.float64)
-
-
-def _fields(found: Answers) -> Arrays:
-    """Return the fields of a record by name."""
-    return {field.name: getattr(found, field.name) for field in fields(found)}

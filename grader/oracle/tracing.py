@@ -1,15 +1,14 @@
-"""What are the rays and answers of one mesh? Drawn, answered, witnessed, and remembered."""
+"""What are the rays and answers of one mesh? Drawn, answered and witnessed."""
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 
 import numpy as np
 
-from grader.model.mesh import Answers, Bvh, Floats, Integers, Mesh, Rays
+from grader.model.mesh import Answers, Bvh, Floats, Integers, Mesh
 from grader.model.trials import TraceTrial
 from grader.oracle.brute import answers, chosen
 from grader.oracle.embree import contradicted, embree_t
 from grader.oracle.rays import Request, families_of, rays_on
-from grader.oracle.remember import Arrays, digest_of, remember
 
 KIND = {False: "ordinary rays", True: "special rays"}
 
@@ -25,36 +24,20 @@ class Traced:
 
 def traced(request: Request, mesh: Mesh, tree: Bvh) -> Traced:
     """Make the trial of one mesh and one kind of rays."""
-    key = digest_of(
-        "trace", request, mesh.vertices, mesh.faces, tree.begin, tree.end, tree.order
-    )
-    arrays = remember(key, lambda: _arrays(request, mesh, tree))
+    family = rays_on(request, mesh, tree)
     trial = TraceTrial(
         name=f"{request.mesh}, {KIND[request.special]}",
         mesh=mesh,
         tree=tree,
-        rays=Rays(**{field.name: arrays[field.name] for field in fields(Rays)}),
-        answers=Answers(**{field.name: arrays[f"a_{field.name}"] for field in fields(Answers)}),
+        rays=family.rays,
+        answers=answers(mesh, family.rays, tree),
         families=families_of(request, mesh),
-        family=arrays["family"],
+        family=family.index,
         special=request.special,
     )
-    return Traced(trial, _fault(trial, arrays["wrong"], arrays["embree"]))
-
-
-def _arrays(request: Request, mesh: Mesh, tree: Bvh) -> Arrays:
-    """Draw, answer and witness."""
-    family = rays_on(request, mesh, tree)
-    found = answers(mesh, family.rays, tree)
     theirs = embree_t(mesh, family.rays)
-    wrong = np.flatnonzero(contradicted(family.rays, found, theirs))
-    return {
-        **{field.name: getattr(family.rays, field.name) for field in fields(Rays)},
-        **{f"a_{field.name}": getattr(found, field.name) for field in fields(Answers)},
-        "family": family.index,
-        "wrong": wrong,
-        "embree": theirs[wrong],
-    }
+    wrong = np.flatnonzero(contradicted(family.rays, trial.answers, theirs))
+    return Traced(trial, _fault(trial, wrong, theirs[wrong]))
 
 
 def _fault(trial: TraceTrial, wrong: Integers, embree: Floats) -> str:

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import fields, is_dataclass
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -19,7 +20,7 @@ from grader.oracle import plan as module
 from grader.oracle import tracing
 from grader.oracle.hierarchy import leaves_of
 from grader.oracle.meshes import SHAPES
-from grader.oracle.plan import Plan, make_plan
+from grader.oracle.plan import Plan, kept_plan, make_plan
 from tests.oracle.treebuilder import tree_of
 
 SMALL = ("cloud-0", "cloud-1", "cloud-4", "cloud-5", "cloud-37", "terrain-1200", "cloud-9")
@@ -41,6 +42,11 @@ def trees(meshes: Sequence[Mesh]) -> list[Bvh]:
     return [tree_of(mesh) for mesh in meshes]
 
 
+def refusing(_: Sequence[Mesh]) -> list[Bvh]:
+    """Stand in for another builder of trees."""
+    raise RuntimeError("asked for trees")
+
+
 @pytest.fixture
 def _small(monkeypatch: pytest.MonkeyPatch) -> None:
     """Leave the large meshes and the pictures out of plans."""
@@ -60,11 +66,37 @@ def _small(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.mark.usefixtures("_small")
 def test_a_seed_is_a_plan() -> None:
-    """Drawn again, from the cache or not, it is the same; another seed's differs."""
+    """Drawn again it is the same; another seed's differs."""
     one, again, other = make_plan(1, trees), make_plan(1, trees), make_plan(2, trees)
     assert fingerprint(one) == fingerprint(again)
     assert [trial.name for trial in one.trials] == [trial.name for trial in other.trials]
     assert fingerprint(one) != fingerprint(other)
+
+
+@pytest.mark.usefixtures("_small")
+def test_a_kept_plan_is_the_plan(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Kept, then read back without drawing anything, then of another seed and builder."""
+    monkeypatch.setenv("BVHGRADE_CACHE", str(tmp_path))
+    wanted = fingerprint(make_plan(1, trees))
+    assert fingerprint(kept_plan(1, trees, "these")) == wanted
+    with monkeypatch.context() as patch:
+        patch.setattr(module, "drawn", None)
+        patch.setattr(module, "image_trials", None)
+        assert fingerprint(kept_plan(1, trees, "these")) == wanted
+    assert fingerprint(kept_plan(2, trees, "these")) == fingerprint(make_plan(2, trees))
+    with pytest.raises(RuntimeError, match="asked"):
+        kept_plan(1, refusing, "others")
+
+
+@pytest.mark.usefixtures("_small")
+def test_a_kept_plan_shares_what_trials_share(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What is worked out for a mesh is kept with it, so equal meshes must stay one."""
+    monkeypatch.setenv("BVHGRADE_CACHE", str(tmp_path))
+    plans = [kept_plan(1, trees, "these") for _ in range(2)]
+    first, again = ([id(getattr(t, "mesh", t)) for t in plan.trials] for plan in plans)
+    assert [first.index(each) for each in first] == [again.index(each) for each in again]
 
 
 def kinds(plan: Plan) -> set[type]:
@@ -119,7 +151,6 @@ def test_a_contradiction_of_the_witnesses_is_our_fault(monkeypatch: pytest.Monke
     monkeypatch.setattr(
         tracing, "embree_t", lambda _, rays: np.full(len(rays.t_min), 0.5, np.float32)
     )
-    monkeypatch.setattr(tracing, "remember", lambda _, compute: compute())
     faults = dict(make_plan(5, trees).faults)
     assert "terrain-1200, ordinary rays" in faults
     assert "contradict each other" in faults["terrain-1200, ordinary rays"]
