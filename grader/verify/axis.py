@@ -11,7 +11,7 @@ import numpy as np
 
 from grader.model.mesh import Bvh, FrozenArrays, Integers, Mask, Mesh
 from grader.verify.halves import Splits
-from grader.verify.tree import centres
+from grader.verify.tree import centres, on_any_axis
 
 EVIDENCE = 16
 """Faces in two equal halves that are hardly ever ordered by chance: once in 12,870 times."""
@@ -40,11 +40,11 @@ class Judged(FrozenArrays):
 
 def judge(mesh: Mesh, bvh: Bvh, found: Splits) -> Judged:
     """Judge every split of a readable tree."""
-    explained = np.asarray((found.ordered & found.longest).any(axis=1))
+    explained = on_any_axis(found.ordered & found.longest)
     wrong = np.zeros(len(found.node), np.bool_)
     if explained.all():
         return Judged(explained, wrong)
-    if not (found.ordered & ~found.flat).any(axis=1).all():
+    if not on_any_axis(found.ordered & ~found.flat).all():
         return _judge_large(mesh, bvh, found)
     weight = _weight(bvh, found)
     some = np.flatnonzero(~explained)

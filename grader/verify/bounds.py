@@ -1,13 +1,11 @@
 """Are the boxes right, and does memory stay in bounds?"""
 
-import numpy as np
-
 from grader.model.cases import MemoryCase, TreeCase
 from grader.model.stages import Stop
 from grader.model.verdict import Evidence, Example
 from grader.verify.check import check, judged, one, vector
 from grader.verify.structure import READABLE, calls_construct, needs_a_split
-from grader.verify.tree import shape, spans
+from grader.verify.tree import on_any_axis, shape, spans
 
 
 @check(TreeCase, "bvh.boxes-are-tight", needs=READABLE, when=needs_a_split)
@@ -21,17 +19,16 @@ def boxes_are_tight(case: TreeCase) -> Evidence:
     bvh, true = case.bvh, spans(case.trial.mesh, case.bvh)
     used = shape(bvh).reached[1:]
     used = used[bvh.begin[used] < bvh.end[used]]
-    low, high = bvh.low[used], bvh.high[used]
-    true_low, true_high = true.low[used], true.high[used]
+    wrong = on_any_axis((bvh.low != true.low) | (bvh.high != true.high))[used]
 
     def describe(k: int) -> Example:
-        got = f"{vector(low[k])} to {vector(high[k])}"
-        wanted = f"{vector(true_low[k])} to {vector(true_high[k])}"
-        text = f"node {used[k]}: box is {got}, but its triangles span {wanted}"
+        node = used[k]
+        got = f"{vector(bvh.low[node])} to {vector(bvh.high[node])}"
+        wanted = f"{vector(true.low[node])} to {vector(true.high[node])}"
+        text = f"node {node}: box is {got}, but its triangles span {wanted}"
         return Example(text, wanted, got)
 
-    wrong = (low != true_low).any(axis=1) | (high != true_high).any(axis=1)
-    return judged(np.asarray(wrong), describe)
+    return judged(wrong, describe)
 
 
 @check(MemoryCase, "bvh.memory-is-safe", when=calls_construct)

@@ -37,11 +37,14 @@ def splits(mesh: Mesh, bvh: Bvh) -> Splits:
     node = np.flatnonzero(shape(bvh).parted)
     true = spans(mesh, bvh)
     left, right = 2 * node + 1, 2 * node + 2
-    overlap = true.centre_high[left].astype(np.float64) - true.centre_low[right]
-    low, high = true.low[node], true.high[node]
+    most, least = true.centre_high.take(left, axis=0), true.centre_low.take(right, axis=0)
+    overlap = most.astype(np.float64) - least
+    low, high = true.low.take(node, axis=0), true.high.take(node, axis=0)
     allowed = SPLIT_ULPS * np.spacing(np.maximum(np.abs(low), np.abs(high)))
-    longest = _longest(low, high) | _longest(bvh.low[node], bvh.high[node])
-    flat = true.centre_high[node].astype(np.float64) - true.centre_low[node] <= allowed
+    own = bvh.low.take(node, axis=0), bvh.high.take(node, axis=0)
+    longest = _longest(low, high) | _longest(*own)
+    most, least = true.centre_high.take(node, axis=0), true.centre_low.take(node, axis=0)
+    flat = most.astype(np.float64) - least <= allowed
     return Splits(node, overlap <= allowed, flat, longest)
 
 
@@ -53,5 +56,5 @@ def _longest(low: Floats, high: Floats) -> Mask:
     """
     with np.errstate(over="ignore", invalid="ignore"):
         extent = high - low
-        largest = extent.max(axis=1, keepdims=True)
+        largest = np.maximum(np.maximum(extent[:, :1], extent[:, 1:2]), extent[:, 2:])
         return np.asarray(extent >= largest - SPLIT_ULPS * np.spacing(np.abs(largest)))

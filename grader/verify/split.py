@@ -8,7 +8,7 @@ from grader.verify.axis import judge, tells
 from grader.verify.check import check, judged
 from grader.verify.halves import splits
 from grader.verify.structure import READABLE, needs_a_split
-from grader.verify.tree import spans
+from grader.verify.tree import on_any_axis, spans
 
 AXES = "xyz"
 MEDIAN = "bvh.splits-at-the-median"
@@ -53,7 +53,7 @@ def splits_at_the_median(case: TreeCase) -> Evidence:
     held_left = bvh.end[left].astype(np.int64) - bvh.begin[left]
     held_right = bvh.end[right].astype(np.int64) - bvh.begin[right]
     unequal = np.abs(held_left - held_right) > 1
-    mixed = ~found.ordered.any(axis=1)
+    mixed = ~on_any_axis(found.ordered)
 
     def describe(k: int) -> Example:
         node = int(found.node[k])

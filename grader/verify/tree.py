@@ -5,6 +5,7 @@ with maxima negated, so one `np.minimum` serves both. True spans go bottom-up fr
 wherever children partition their parent, and are taken from the faces themselves elsewhere.
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -12,6 +13,8 @@ import numpy as np
 
 from grader.model.mesh import Bvh, Floats, FrozenArrays, Indices, Integers, Mask, Mesh
 from grader.tolerances import FACES_PER_LEAF
+
+BLOCK = 16384
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -97,72 +100,103 @@ def spans(mesh: Mesh, bvh: Bvh) -> Spans:
     The tree must be readable: ranges and face indices within the mesh.
     """
     form = shape(bvh)
-    faces, order = _face_minima(mesh), bvh.order[: len(mesh.faces)]
-    minima = np.full((len(bvh.end), 12), np.inf, dtype=np.float32)
+    faces = _face_minima(mesh, bvh.order[: len(mesh.faces)])
+    minima = np.full((12, len(bvh.end)), np.inf, dtype=np.float32)
     direct = form.reached[~form.parted[form.reached]]
-    minima[direct] = _range_minima(faces, order, bvh.begin[direct], bvh.end[direct])
-    parted = form.reached[form.parted[form.reached]]
-    # Ascending indices are level by level, so going backwards meets children first.
-    for level in range(form.depth - 1, -1, -1):
-        first, past = np.searchsorted(parted, [2**level - 1, 2 ** (level + 1) - 1])
-        nodes = parted[first:past]
-        minima[nodes] = np.minimum(minima[2 * nodes + 1], minima[2 * nodes + 2])
-    low, high, centre_low, centre_high = np.hsplit(minima, 4)
+    begin, end = bvh.begin[direct].astype(np.int64), bvh.end[direct].astype(np.int64)
+    for row, each in zip(minima, _range_minima(faces, begin, end), strict=True):
+        row[direct] = each
+    _join(minima, form.reached[form.parted[form.reached]], form.depth)
+    parts = (np.ascontiguousarray(part.T) for part in np.vsplit(minima, 4))
+    low, high, centre_low, centre_high = parts
     return Spans(low, -high, centre_low, -centre_high)
 
 
-def centres(mesh: Mesh) -> Floats:
-    """(F, 3) float32, the centre of each triangle."""
-    return _face_minima(mesh)[:, 6:9]
+def _join(minima: Floats, parted: Integers, depth: int) -> None:
+    """Fill in the minima of nodes that their children partition, from the deepest level up."""
+    for level in range(depth - 1, -1, -1):
+        # Ascending indices are level by level.
+        begin, end = 2**level - 1, 2 ** (level + 1) - 1
+        first, past = np.searchsorted(parted, [begin, end])
+        nodes = parted[first:past]
+        if nodes.size == end - begin:
+            # As slices, which are ten times as fast: most levels of a right tree are full.
+            left, right = (minima[:, 2 * begin + k : 2 * end + k : 2] for k in (1, 2))
+            np.minimum(left, right, out=minima[:, begin:end])
+        else:
+            minima[:, nodes] = np.minimum(minima[:, 2 * nodes + 1], minima[:, 2 * nodes + 2])
 
 
 @lru_cache(maxsize=2)
-def _face_minima(mesh: Mesh) -> Floats:
-    """(F, 12) float32: low, -high, centre, -centre of each triangle."""
-    a, b, c = (np.take(mesh.vertices, mesh.faces[:, corner], axis=0) for corner in range(3))
-    minima = np.empty((len(mesh.faces), 12), dtype=np.float32)
-    np.minimum(np.minimum(a, b), c, out=minima[:, 0:3])
-    np.negative(np.maximum(np.maximum(a, b), c), out=minima[:, 3:6])
-    centre = a.astype(np.float64)
-    centre += b
-    centre += c
-    centre /= 3
-    minima[:, 6:9] = centre
-    np.negative(minima[:, 6:9], out=minima[:, 9:12])
+def centres(mesh: Mesh) -> Floats:
+    """(F, 3) float32, the centre of each triangle."""
+    every = np.arange(len(mesh.faces), dtype=np.uint32)
+    return np.ascontiguousarray(_face_minima(mesh, every)[6:9].T)
+
+
+def on_any_axis(mask: Mask) -> Mask:
+    """(K,) bool, `mask.any(axis=1)` of (K, 3) bool, ten times as fast."""
+    return np.asarray(mask[:, 0] | mask[:, 1] | mask[:, 2])
+
+
+def _face_minima(mesh: Mesh, order: Indices) -> Floats:
+    """(12, K) float32: low, -high, centre, -centre of the triangles that `order` names.
+
+    Each axis has a row of its own: whole rows are computed several times as fast as triples.
+    """
+    columns = np.ascontiguousarray(mesh.vertices.T)
+    minima = np.empty((12, len(order)), dtype=np.float32)
+    for block in _blocks(len(order)):
+        corners = mesh.faces.take(order[block], axis=0).T.astype(np.int64, order="C")
+        for axis, column in enumerate(columns):
+            a, b, c = column.take(corners)
+            np.minimum(np.minimum(a, b), c, out=minima[axis, block])
+            np.negative(np.maximum(np.maximum(a, b), c), out=minima[3 + axis, block])
+            centre = a.astype(np.float64)
+            centre += b
+            centre += c
+            centre /= 3
+            minima[6 + axis, block] = centre
+            np.negative(minima[6 + axis, block], out=minima[9 + axis, block])
     return minima
 
 
-def _range_minima(faces: Floats, order: Indices, begin: Indices, end: Indices) -> Floats:
-    """(K, 12) float32, minima over `order[begin[k]:end[k]]`; infinite for empty ranges."""
-    result = np.full((len(begin), 12), np.inf, dtype=np.float32)
-    held = end.astype(np.int64) - begin
+def _blocks(count: int) -> Iterator[slice]:
+    """Divide a range, so that what is computed on the way stays in the processor's cache."""
+    return (slice(first, first + BLOCK) for first in range(0, count, BLOCK))
+
+
+def _range_minima(faces: Floats, begin: Integers, end: Integers) -> Floats:
+    """(12, K) float32, minima over `faces[:, begin[k]:end[k]]`; infinite for empty ranges."""
+    result = np.full((12, len(begin)), np.inf, dtype=np.float32)
+    held = end - begin
     small = np.flatnonzero((held > 0) & (held <= FACES_PER_LEAF))
-    if small.size:
-        first, last = begin[small].astype(np.int64), end[small].astype(np.int64) - 1
+    for block in _blocks(small.size):
+        nodes = small[block]
+        first, last = begin[nodes], end[nodes] - 1
         # Taking the last face again where there are fewer changes no minimum.
-        takes = (np.minimum(first + k, last) for k in range(FACES_PER_LEAF))
-        one, two, three, four = (np.take(faces, order[place], axis=0) for place in takes)
-        result[small] = np.minimum(np.minimum(one, two), np.minimum(three, four))
+        places = (np.minimum(first + k, last) for k in range(FACES_PER_LEAF))
+        one, two, three, four = (faces[:, place] for place in places)
+        result[:, nodes] = np.minimum(np.minimum(one, two), np.minimum(three, four))
     large = np.flatnonzero(held > FACES_PER_LEAF)
     if large.size:
-        rows = np.take(faces, order, axis=0)
-        result[large] = _windowed(rows, begin[large].astype(np.int64), held[large])
+        result[:, large] = _windowed(faces, begin[large], held[large])
     return result
 
 
-def _windowed(rows: Floats, begin: Integers, held: Integers) -> Floats:
-    """(K, 12) float32, minima over `rows[begin[k]:begin[k] + held[k]]`, none of them empty.
+def _windowed(faces: Floats, begin: Integers, held: Integers) -> Floats:
+    """(12, K) float32, minima over `faces[:, begin[k]:begin[k] + held[k]]`, none of them empty.
 
-    Two overlapping windows of 2^p rows cover each range. Every width of a window is computed
+    Two overlapping windows of 2^p faces cover each range. Every width of a window is computed
     once, so a tree whose nodes all claim all faces takes no longer to read than a right one.
     """
-    result = np.empty((len(begin), 12), dtype=np.float32)
+    result = np.empty((12, len(begin)), dtype=np.float32)
     power = np.frexp(held.astype(np.float64))[1] - 1
     for p in range(int(power.max()) + 1):
         if p:
             half = 2 ** (p - 1)
-            rows = np.minimum(rows[:-half], rows[half:])
+            faces = np.minimum(faces[:, :-half], faces[:, half:])
         chosen = np.flatnonzero(power == p)
         first, last = begin[chosen], begin[chosen] + held[chosen] - 2**p
-        result[chosen] = np.minimum(rows[first], rows[last])
+        result[:, chosen] = np.minimum(faces[:, first], faces[:, last])
     return result

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from grader.model.mesh import Bvh
-from grader.verify.tree import shape, spans
+from grader.verify import tree as module
+from grader.verify.tree import centres, on_any_axis, shape, spans
 from tests.verify.builder import CENTRES, Reading, altered, box, build, changed, soup
 
 MESH = soup(37)
@@ -73,8 +74,12 @@ def test_an_empty_half_is_no_part() -> None:
 
 @pytest.mark.parametrize("shuffled", [False, True])
 @pytest.mark.parametrize("leaf", [1, 4, 37])
-def test_spans_are_those_of_a_loop(leaf: int, shuffled: bool) -> None:
+@pytest.mark.parametrize("block", [5, module.BLOCK])
+def test_spans_are_those_of_a_loop(
+    leaf: int, shuffled: bool, block: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Boxes and boxes of centres, of partitions bottom-up and of any other range directly."""
+    monkeypatch.setattr(module, "BLOCK", block)
     bvh = build(MESH, Reading(leaf=leaf, slots=1))
     if shuffled:
         rng = np.random.default_rng(leaf)
@@ -102,3 +107,16 @@ def test_nodes_out_of_reach_are_not_measured() -> None:
     true = spans(MESH, bvh)
     assert np.isposinf(true.low[1:]).all()
     assert np.isneginf(true.high[1:]).all()
+
+
+def test_centres_are_in_the_order_of_the_faces() -> None:
+    """A third of the sum of the corners, rounded once."""
+    a, b, c = (MESH.vertices[MESH.faces[:, corner]] for corner in range(3))
+    assert (centres(MESH) == CENTRES["double"](a, b, c).astype(np.float32)).all()
+
+
+def test_one_axis_is_enough() -> None:
+    """All eight rows of three, and no row at all."""
+    mask = np.array([[k & 1, k & 2, k & 4] for k in range(8)], np.bool_)
+    assert on_any_axis(mask).tolist() == [False] + 7 * [True]
+    assert on_any_axis(mask[:0]).tolist() == []
