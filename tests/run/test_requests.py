@@ -1,5 +1,6 @@
 """What a worker delivers for each kind of trial, with the model solution and a counting one."""
 
+import os
 from pathlib import Path
 
 import numpy as np
@@ -18,7 +19,7 @@ from grader.model.cases import (
 from grader.model.mesh import Bvh, Hits, Mesh, Rays
 from grader.model.stages import Ending, Stop
 from grader.model.trials import ConstructTrial, RebuildTrial, Trial, WorkTrial
-from grader.run import session
+from grader.run import session, transfer
 from grader.run.job import Job
 from grader.run.protocol import Op
 from grader.run.requests import request
@@ -80,6 +81,23 @@ def test_a_tree_of_ours_is_set_bit_for_bit(reference: Engine, tree: Bvh) -> None
         mine, yours = getattr(given, name), getattr(back, name)
         assert mine.tobytes() == yours.tobytes()
         assert mine.shape == yours.shape
+
+
+@pytest.mark.parametrize("nodes", [0, 1, 5, 12])
+def test_nodes_are_laid_out_as_in_the_library(
+    nodes: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Six coordinates and a range for each node, in blocks that do and do not fit."""
+    monkeypatch.setattr(transfer, "BLOCK", 5)
+    rng = np.random.default_rng(nodes)
+    corners = rng.normal(size=(nodes, 6)).astype(np.float32)
+    ends = rng.integers(1 << 32, size=(2, nodes), dtype=np.uint32)
+    job = Job()
+    give_tree(job, 0, Bvh(corners[:, :3], corners[:, 3:], *ends, ends[0], nodes))
+    with job.files() as (given, _):
+        content = os.pread(given, 1 << 16, 0)
+    table = np.concatenate([corners.view(np.uint32), ends.T], axis=1)
+    assert np.ascontiguousarray(table).tobytes() in content
 
 
 def test_a_tree_that_is_too_large_is_cut_and_counted(reference: Engine) -> None:
