@@ -4,6 +4,6 @@ import os
 
 __version__ = "0.1.0"
 
-# No grade multiplies matrices, but numpy's library for that starts a thread for each processor
-# when it is loaded, which is a third of what loading numpy costs.
+# Matrices are small here, but numpy's library for them starts a thread for each processor when
+# it is loaded, which is a third of what loading numpy costs.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")

@@ -91,9 +91,9 @@ def test_nodes_are_laid_out_as_in_the_library(
     monkeypatch.setattr(transfer, "BLOCK", 5)
     rng = np.random.default_rng(nodes)
     corners = rng.normal(size=(nodes, 6)).astype(np.float32)
-    ends = rng.integers(1 << 32, size=(2, nodes), dtype=np.uint32)
+    begin, end = ends = rng.integers(1 << 32, size=(2, nodes), dtype=np.uint32)
     job = Job()
-    give_tree(job, 0, Bvh(corners[:, :3], corners[:, 3:], *ends, ends[0], nodes))
+    give_tree(job, 0, Bvh(corners[:, :3], corners[:, 3:], begin, end, end, nodes))
     with job.files() as (given, _):
         content = os.pread(given, 1 << 16, 0)
     table = np.concatenate([corners.view(np.uint32), ends.T], axis=1)
