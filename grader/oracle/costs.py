@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from grader.model.mesh import Bvh, Integers, Mask, Rays
+from grader.model.mesh import Bvh, Floats, Integers, Mask, Rays
 from grader.oracle.hierarchy import Touches, leaves_of, traverse
 from grader.tolerances import UNIT_ROUNDOFF
 
@@ -35,14 +35,21 @@ def given_box_test(tree: Bvh, rays: Rays) -> Touches:
     backward = inverse < 0
 
     def touches(ray: Integers, node: Integers) -> Mask:
-        low, high, swap = tree.low[node], tree.high[node], backward[ray]
+        low, high = tree.low.take(node, axis=0), tree.high.take(node, axis=0)
+        origin, scale = rays.origin.take(ray, axis=0), inverse.take(ray, axis=0)
+        swap = backward.take(ray, axis=0)
         entry, leave = np.where(swap, high, low), np.where(swap, low, high)
         with np.errstate(invalid="ignore", over="ignore"):
             # fmax and fmin leave a NaN out: a ray in a slab's plane is not bounded by it.
-            near = np.fmax.reduce((entry - rays.origin[ray]) * inverse[ray], axis=1)
-            far = np.fmin.reduce((leave - rays.origin[ray]) * inverse[ray], axis=1)
+            near = _of_all_axes(np.fmax, (entry - origin) * scale)
+            far = _of_all_axes(np.fmin, (leave - origin) * scale)
             near, far = np.fmax(near, rays.t_min[ray]), np.fmin(far, rays.t_max[ray])
             hit: Mask = (near <= far + np.abs(far) * FAR_SLACK) & (near < np.inf)
         return hit
 
     return touches
+
+
+def _of_all_axes(what: np.ufunc, values: Floats) -> Floats:
+    """Return (K,) float32, `what.reduce(values, axis=1)` of (K, 3), several times as fast."""
+    return np.asarray(what(what(values[:, 0], values[:, 1]), values[:, 2]))
