@@ -12,11 +12,11 @@ from grader.counterexample.search import Search, with_counterexamples
 from grader.intake.locate import locate
 from grader.model.cases import BuildCase, Case, DepthCase, SourceCase, WorkCase
 from grader.model.grade import Grade, Limits, Rubric
-from grader.model.stages import Build, Rejected, Submission
+from grader.model.stages import Build, Further, Rejected, Submission
 from grader.model.trials import AlteredTrial, ConstructTrial, ImageTrial, Trial, WorkTrial
 from grader.oracle.plan import Plan, deeper_trials, depth_trial
 from grader.run.session import Engine
-from grader.run.trials import LARGE_MESH, Budget, Engines, part_of, run_trials
+from grader.run.trials import LARGE_MESH, Budget, Engines, build_of, part_of, run_trials
 from grader.sandbox.box import Isolation
 from grader.sandbox.nursery import Nursery
 from grader.sandbox.scratch import scratch_folder
@@ -77,7 +77,7 @@ def grade_one(path: Path, options: Options) -> Grade:
         return summary.grade(submission, None, ())
     with scratch_folder() as folder, Nursery() as nursery:
         with summary.stage("build and plan"):
-            order = _compilation(folder, limits, options)
+            order = _compilation(folder, limits, options, selection.further)
             build, plan, solution = _prepare(submission, order, options.seed, summary)
         summary.examine(_build_cases(build))
         if build.library is None:
@@ -96,8 +96,10 @@ def grade_one(path: Path, options: Options) -> Grade:
         return run.grade(summary, submission, build, (*trials, *further, *deeper))
 
 
-def engines_for(path: Path, folder: Path, nursery: Nursery, options: Options) -> Engines | str:
-    """Compile a submission for one question; why it could not be, if so.
+def engines_for(
+    path: Path, folder: Path, nursery: Nursery, options: Options, trial: Trial
+) -> Engines | str:
+    """Compile a submission for one trial; why it could not be, if so.
 
     Raises:
         UsageError: The path or the rubric is wrong.
@@ -107,7 +109,8 @@ def engines_for(path: Path, folder: Path, nursery: Nursery, options: Options) ->
     submission = locate(path, limits.source_kib << 10)
     if isinstance(submission, Rejected):
         return submission.reason
-    build = compile_submission(submission, _compilation(folder, limits, options))
+    further = frozenset(filter(None, [build_of(trial)]))
+    build = compile_submission(submission, _compilation(folder, limits, options, further))
     if build.library is None:
         return "it does not compile; bvhgrade check says why"
     return _engines(build, limits, _isolation(options), nursery)
@@ -121,13 +124,15 @@ def _time_limit(limits: Limits, options: Options) -> float:
     return options.time_limit or limits.total_seconds
 
 
-def _compilation(folder: Path, limits: Limits, options: Options) -> Compilation:
+def _compilation(
+    folder: Path, limits: Limits, options: Options, further: frozenset[Further]
+) -> Compilation:
     """Leave half of the time to the runs: what is compiled twice in a row has to fit."""
     given, most = limits.compiler, _time_limit(limits, options) / 4
     wall = min(given.wall_seconds, max(SHORTEST_COMPILATION, int(most)))
     # Less CPU time than wall time, so that who computes too long is told from who waits.
     hurried = replace(given, wall_seconds=wall, seconds=min(given.seconds, wall * 2 // 3))
-    return Compilation(folder, _isolation(options), hurried)
+    return Compilation(folder, _isolation(options), hurried, further)
 
 
 def _prepare(

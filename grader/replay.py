@@ -37,7 +37,7 @@ def replay(path: Path, file: Path, options: Options) -> Replay:
     if check.kind not in kinds_of(trial) or not check.when(trial):
         raise UsageError(f"{file}: {check.id} has nothing to say of such an input")
     with scratch_folder() as folder, Nursery() as nursery:
-        engines = engines_for(path, folder, nursery, options)
+        engines = engines_for(path, folder, nursery, options, trial)
         if isinstance(engines, str):
             return Replay(check.id, check.title, None, engines)
         effort = Effort(time.monotonic() + PATIENCE, PATIENCE)

@@ -3,12 +3,21 @@
 import difflib
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 from pathlib import Path
 
+import numpy as np
+
 from grader.errors import UsageError
+from grader.model.cases import DepthCase
 from grader.model.grade import Rubric
-from grader.model.trials import Trial
+from grader.model.mesh import Mesh
+from grader.model.stages import Further
+from grader.model.trials import ConstructTrial, Trial
+from grader.oracle.plan import spine_trials
+from grader.run.trials import build_of
 from grader.score.rubric import load_rubric
+from grader.tolerances import FACES_PER_LEAF, SMALL_MAX_DEPTH
 from grader.verify import every_check
 from grader.verify.check import Check
 from grader.verify.planned import kinds_of
@@ -28,12 +37,44 @@ class Selection:
     """Checks of the rubric that are not run, because a student is not to see them."""
 
     def useful(self, trials: Sequence[Trial]) -> tuple[Trial, ...]:
-        """Leave out the trials that no check of this run looks at."""
+        """Leave out the trials that no check of this run looks at.
+
+        Those that tell how deep a submission's trees are stay, if that chooses other trials.
+        """
+        choosing = self._looks_at(_deep_traces())
         return tuple(
             trial
             for trial in trials
-            if any(each.kind in kinds_of(trial) and each.when(trial) for each in self.checks)
+            if self._looks_at([trial]) or (choosing and DepthCase in kinds_of(trial))
         )
+
+    @property
+    def further(self) -> frozenset[Further]:
+        """What has to be made of a submission beside its graded library.
+
+        The calls always: a report names the line of a function with them.
+        """
+        needed = (build_of(trial) for trial in self.useful([_small_depth(), *_deep_traces()]))
+        return frozenset((Further.CALLS, *filter(None, needed)))
+
+    def _looks_at(self, trials: Iterable[Trial]) -> bool:
+        return any(
+            each.kind in kinds_of(trial) and each.when(trial)
+            for trial in trials
+            for each in self.checks
+        )
+
+
+def _small_depth() -> Trial:
+    """Make a trial like all those of part a with sanitizers, and as deep as any."""
+    faces = np.zeros(((FACES_PER_LEAF << SMALL_MAX_DEPTH) + 1, 3), np.uint32)
+    return ConstructTrial("small depth", Mesh(np.zeros((1, 3), np.float32), faces), True)
+
+
+@cache
+def _deep_traces() -> tuple[Trial, ...]:
+    """Make trials like those on deep trees, one of each build."""
+    return tuple(spine_trials(0, 2))
 
 
 def select(

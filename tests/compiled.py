@@ -14,7 +14,7 @@ from grader.build.compile import (
 from grader.build.compiler import find_compiler
 from grader.build.workspace import GRADED, workspace
 from grader.model.grade import CompileLimits
-from grader.model.stages import Build, CallGraph, Submission
+from grader.model.stages import Build, CallGraph, Further, Submission
 from grader.run.session import Allowance, Engine
 from grader.sandbox.selftest import unconfined
 from grader.score.rubric import load_rubric
@@ -34,9 +34,9 @@ def submission_of(source: str) -> Submission:
     return Submission("student", "exercise03.cpp", text, sha256(text).hexdigest())
 
 
-def compilation(folder: Path) -> Compilation:
+def compilation(folder: Path, further: frozenset[Further] = frozenset(Further)) -> Compilation:
     """Compile in a folder with the usual limits; the levels have tests of their own."""
-    return Compilation(folder, unconfined(), CompileLimits())
+    return Compilation(folder, unconfined(), CompileLimits(), further)
 
 
 def engine_of(library: Path, preload: str = "") -> Engine:
@@ -47,6 +47,12 @@ def engine_of(library: Path, preload: str = "") -> Engine:
 def whole_build(source: str, folder: Path) -> Build:
     """Build everything that a grade needs."""
     return compile_submission(submission_of(source), compilation(folder / "whole"))
+
+
+def partial_build(source: str, folder: Path, *further: Further) -> Build:
+    """Build the graded library, and only this beside it."""
+    order = compilation(folder / "partial", frozenset(further))
+    return compile_submission(submission_of(source), order)
 
 
 def library_of(source: str, folder: Path) -> Path:

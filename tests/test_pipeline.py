@@ -14,15 +14,18 @@ from grader.model.grade import Grade
 from grader.model.stages import Stop
 from grader.model.verdict import Verdict
 from grader.oracle.plan import deeper_trials, make_plan
-from grader.pipeline import Options, grade_one
+from grader.pipeline import Options, engines_for, grade_one
 from grader.report.as_json import schema_text, to_json
 from grader.resources import reference_source, stub_folder
+from grader.run.trials import Engines
+from grader.sandbox.scratch import scratch_folder
 from grader.sandbox.selftest import proved_isolation
 from grader.score.rubric import SHIPPED
 from grader.selection import select
 from grader.solution import Solution
 from grader.verify import every_check
 from grader.verify.planned import planned_cases
+from tests.verify.trials import construct, trace
 
 LEVELS = {"B": "landlock+seccomp", "none": "none"}
 
@@ -159,6 +162,46 @@ def test_only_the_asked_checks_are_scored() -> None:
     scored = {score.check: score.verdict for score in grade.checks if score.max_score}
     assert scored == {"bvh.boxes-are-tight": Verdict.PASS}
     assert grade.max_score == 4
+    assert grade.build
+    assert (grade.build.sanitized, grade.build.deep) == (None, None)
+    assert grade.build.calls, "reports name the lines of functions"
+
+
+LEVEL_20 = (2 << 20) - 1
+"""Nodes of a tree of that level."""
+
+
+def test_a_check_alone_is_asked_on_deep_trees_too(tmp_path: Path) -> None:
+    """The trees of part a tell that they reach level 20, though no check looks at them."""
+    head = "Intersection intersect(const Mesh& mesh, const IntersectionRay& ray) {\n"
+    dies = f"if (mesh.getBVH().getNodes().size() == {LEVEL_20}) __builtin_trap();\n"
+    source = reference_source().read_text()
+    assert head in source
+    path = tmp_path / "exercise03.cpp"
+    path.write_text(source.replace(head, head + dies))
+    grade = graded(path, "hits.survives-every-ray")
+    verdicts = {score.check: score.verdict for score in grade.checks if score.max_score}
+    assert verdicts == {"hits.survives-every-ray": Verdict.FAIL}
+    assert grade.build
+    assert (grade.build.sanitized is not None, grade.build.deep) == (True, None)
+
+
+@pytest.mark.parametrize(
+    ("sanitized", "part", "made"),
+    [(False, "a", None), (True, "a", "sanitized"), (False, "b", None), (True, "b", "deep")],
+)
+def test_one_trial_needs_one_build(
+    tmp_path: Path, sanitized: bool, part: str, made: str | None
+) -> None:
+    """What shows a counterexample again compiles nothing else."""
+    trial = construct(9, sanitized) if part == "a" else trace(False, sanitized)
+    options = Options(41, None, (), lambda *_: None)
+    with scratch_folder() as folder:
+        engines = engines_for(reference_source(), folder, options, trial)
+    assert isinstance(engines, Engines)
+    further = {"sanitized": engines.sanitized, "deep": engines.deep}
+    assert [name for name, engine in further.items() if engine] == ([made] if made else [])
+    assert engines.of(trial)
 
 
 def test_an_unknown_check_names_its_neighbours() -> None:

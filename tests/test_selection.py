@@ -1,13 +1,22 @@
 """Which checks and trials a run has: what a rubric drops, and what it hides from students."""
 
+from collections.abc import Sequence
+from functools import cache
 from pathlib import Path
 
 import pytest
 
 from grader.errors import UsageError
+from grader.model.cases import DepthCase
+from grader.model.stages import Further
+from grader.model.trials import Trial
+from grader.oracle.plan import deeper_trials
+from grader.run.trials import build_of
 from grader.score.rubric import SHIPPED
 from grader.selection import Selection, select
+from grader.solution import Solution
 from grader.verify import every_check
+from grader.verify.planned import kinds_of
 from tests.verify.trials import every_trial
 
 EVERY = [each.id for each in every_check()]
@@ -106,3 +115,55 @@ def test_what_may_be_named_as_a_reason_is_decided_too() -> None:
     only = select(None, ("bvh.splits-the-longest-axis",))
     assert "bvh.splits-at-the-median" in run(only)
     assert "bvh.splits-at-the-median" not in scored(only)
+
+
+def further(*only: str) -> set[str]:
+    """What is made for some checks beside the graded library."""
+    return {one.value for one in select(None, only).further}
+
+
+@pytest.mark.parametrize(
+    ("only", "made"),
+    [
+        ("bvh.boxes-are-tight", set()),
+        ("source.construct-loops", set()),
+        ("work.uses-the-tree", set()),
+        ("hits.special-rays", set()),
+        ("bvh.depth-is-limited", {"sanitized"}),
+        ("bvh.memory-is-safe", {"sanitized"}),
+        ("hits.closest-wins", {"sanitized"}),
+        ("hits.memory-is-safe", {"sanitized", "deep"}),
+    ],
+)
+def test_only_the_builds_of_the_asked_checks_are_made(only: str, made: set[str]) -> None:
+    """And the call graph, which names the lines of functions in every report."""
+    assert further(only) == {"calls"} | made
+
+
+def test_a_whole_run_has_every_build() -> None:
+    """No check of a grade waits for something that was not made."""
+    assert select(None, ()).further == frozenset(Further)
+
+
+@cache
+def planned() -> tuple[Sequence[Trial], Sequence[Trial]]:
+    """Draw the trials of a seed, and those on deeper trees."""
+    return Solution().plan(41).trials, deeper_trials(41)
+
+
+@pytest.mark.parametrize("id", EVERY)
+def test_every_trial_of_a_run_has_its_build(id: str) -> None:
+    """No check passes or fails because a build was left out, and none is made for nothing."""
+    selection = select(None, (id,))
+    needed = {build_of(trial) for trial in selection.useful([*planned()[0], *planned()[1]])}
+    assert {None, *selection.further} == {None, Further.CALLS, *needed}
+
+
+@pytest.mark.parametrize("id", EVERY)
+def test_who_looks_at_deep_trees_learns_whether_they_are_asked_for(id: str) -> None:
+    """Trees of part a tell that, even where no check of the run looks at them."""
+    selection = select(None, (id,))
+    depths = [trial for trial in planned()[0] if DepthCase in kinds_of(trial)]
+    looks = id in ("bvh.depth-is-limited", "bvh.memory-is-safe")
+    wanted = depths if looks or selection.useful(planned()[1]) else ()
+    assert selection.useful(depths) == tuple(wanted)

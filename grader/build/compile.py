@@ -1,7 +1,8 @@
 """How is one submission compiled, linked and read by the compiler's front end?"""
 
 import time
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Mapping
+from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -13,7 +14,7 @@ from grader.build.stopped import why_stopped
 from grader.build.workspace import GRADED, SANITIZED, Workspace, with_real_depth, workspace
 from grader.errors import BuildFault
 from grader.model.grade import CompileLimits
-from grader.model.stages import Build, CallGraph, Diagnostic, Submission
+from grader.model.stages import Build, CallGraph, Diagnostic, Further, Submission
 from grader.resources import reference_source
 from grader.sandbox.box import Bounds, Box, Isolation
 from grader.sandbox.confine import confined
@@ -25,7 +26,6 @@ from grader.sandbox.target import Target
 PLAIN_MESSAGES = ("-fdiagnostics-color=never", "-fmax-errors=20")
 """More errors teach nothing new, and each unknown name is compared with all known ones."""
 
-DEEP = "deep"
 _GRAPH = "graph"
 _STACK_BYTES = 64 << 20
 _OPEN_FILES = 256
@@ -40,6 +40,8 @@ class Compilation:
 
     isolation: Isolation
     limits: CompileLimits
+    further: frozenset[Further] = frozenset(Further)
+    """What to make beside the graded library."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,13 +54,22 @@ class _Linked:
     """The compiler ended early without a word about the source: is that the machine's fault?"""
 
 
+@dataclass(frozen=True, slots=True)
+class _Sanitized:
+    """The libraries with sanitizers, as far as they are asked for and could be made."""
+
+    small: Path | None = None
+    deep: Path | None = None
+    remarks: tuple[str, ...] = ()
+
+
 def compile_submission(submission: Submission, order: Compilation) -> Build:
-    """Build the graded and the sanitized libraries and the call graph of one submission.
+    """Build the graded library of one submission, and what else is asked for.
 
     Args:
         submission: The file to compile.
-        order: Where and within which limits; the folder is kept as long as the libraries are
-            used.
+        order: What, where and within which limits; the folder is kept as long as the libraries
+            are used.
 
     Raises:
         MissingTool: There is no compiler.
@@ -68,32 +79,59 @@ def compile_submission(submission: Submission, order: Compilation) -> Build:
     started = time.monotonic()
     work = prepared(submission, order)
     with ThreadPoolExecutor(2) as pool:
-        frameworks = list(pool.map(lambda each: workspace(compiler, each), (GRADED, SANITIZED)))
-        deep_framework = _deep(frameworks[1])
-        plain = pool.submit(_link, frameworks[0], work, GRADED.name)
-        sanitized = pool.submit(_link, frameworks[1], work, SANITIZED.name)
-        deep = pool.submit(_link, deep_framework, work, DEEP)
-        graph = pool.submit(call_graph, frameworks[0], work)
+        graded, small = pool.map(lambda each: workspace(compiler, each), (GRADED, SANITIZED))
+        plain = pool.submit(_link, graded, work, GRADED.name)
+        sanitizing = _sanitizing(pool, small, work)
+        graph = pool.submit(call_graph, graded, work) if Further.CALLS in order.further else None
         linked = plain.result()
         compiled = linked.library is not None
         if not compiled:
             pool.shutdown(wait=False, cancel_futures=True)
             if linked.unexplained:
-                _blame(frameworks[0], work)
-        elif deep.result().unexplained:
-            _blame(deep_framework, work)
+                _blame(graded, work)
+        safe = _sanitized(sanitizing, small, work) if compiled else _Sanitized()
     return Build(
         library=linked.library,
-        # A file may insist on the real depth limit, by static_assert.
-        sanitized=sanitized.result().library or deep.result().library if compiled else None,
-        deep=deep.result().library if compiled else None,
-        calls=graph.result() if compiled else None,
+        sanitized=safe.small,
+        deep=safe.deep,
+        calls=graph.result() if compiled and graph else None,
         diagnostics=linked.diagnostics,
         compiler=compiler.title,
-        flags=_flags(frameworks[0]),
+        flags=_flags(graded),
         seconds=time.monotonic() - started,
-        remarks=_unsanitized(deep.result()) if compiled else (),
+        remarks=safe.remarks,
     )
+
+
+def _sanitizing(
+    pool: Executor, small: Workspace, work: Compilation
+) -> dict[Further, Future[_Linked]]:
+    """Begin to build those libraries with sanitizers that are asked for."""
+    frameworks = {Further.SANITIZED: small, Further.DEEP: _deep(small)}
+    return {
+        each: pool.submit(_link, framework, work, each.value)
+        for each, framework in frameworks.items()
+        if each in work.further
+    }
+
+
+def _sanitized(
+    begun: Mapping[Further, Future[_Linked]], framework: Workspace, work: Compilation
+) -> _Sanitized:
+    """Wait for the libraries with sanitizers.
+
+    A file may insist on the real depth limit, by static_assert: it gets that one for both.
+    """
+    made = {each: job.result() for each, job in begun.items()}
+    small, deep = made.get(Further.SANITIZED), made.get(Further.DEEP)
+    if small and small.library is None and deep is None:
+        deep = _link(_deep(framework), work, Further.DEEP.value)
+    if deep is None:
+        return _Sanitized(small.library if small else None)
+    if deep.unexplained:
+        _blame(_deep(framework), work)
+    library = (small.library or deep.library) if small else None
+    return _Sanitized(library, deep.library, _unsanitized(deep))
 
 
 def _blame(framework: Workspace, work: Compilation) -> None:

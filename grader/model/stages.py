@@ -67,6 +67,14 @@ class CallGraph:
     """Functions that fill a `std::function` with a lambda that holds this very object."""
 
 
+class Further(Enum):
+    """What may be made of a submission beside its graded library."""
+
+    SANITIZED = "sanitized"
+    DEEP = "deep"
+    CALLS = "calls"
+
+
 @dataclass(frozen=True, slots=True)
 class Build:
     """What the compiler made of a submission; `library` is None if it did not compile."""
@@ -75,7 +83,10 @@ class Build:
     """Shared library with the graded flags."""
 
     sanitized: Path | None
-    """The same with sanitizers and a small depth limit; None if it could not be made."""
+    """The same with sanitizers and a small depth limit; None if it could not be made.
+
+    This and the next two are None, too, if nothing of the run looks at them.
+    """
 
     deep: Path | None
     """The same with sanitizers and the real depth limit, which trees of part b may need."""

@@ -131,7 +131,7 @@ def assembled(seed: int, parts: Drawn, pictures: Sequence[ImageTrial]) -> Plan:
     trials: tuple[Trial, ...] = (
         *parts.first,
         *_deepest(pictures),
-        *_spines(seed, DEEPEST),
+        *spine_trials(seed, DEEPEST),
         *parts.repeats,
         *pictures,
     )
@@ -171,7 +171,7 @@ def drawn(seed: int, trees: Trees) -> Drawn:
 
 def deeper_trials(seed: int) -> list[TraceTrial]:
     """Draw the trials on a tree of level 20, for those whose own trees have that level."""
-    return _spines(seed, MAX_DEPTH)
+    return spine_trials(seed, MAX_DEPTH)
 
 
 def depth_trial(seed: int) -> ConstructTrial:
@@ -235,7 +235,7 @@ def _sampled(tracing: Sequence[TraceTrial]) -> list[TraceTrial]:
     ]
 
 
-def _spines(seed: int, deepest: int) -> list[TraceTrial]:
+def spine_trials(seed: int, deepest: int) -> list[TraceTrial]:
     """Lay out the tree that is as deep as trees may be, for both builds."""
     trial = spine_trial(seed, deepest)
     return [trial, sample(trial, SPINE_STEP, f"{trial.name}, sanitized")]

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 
 from grader.model.cases import Case, MemoryCase, SurvivalCase
 from grader.model.grade import Limits
-from grader.model.stages import Ending, Stop
+from grader.model.stages import Ending, Further, Stop
 from grader.model.trials import ConstructTrial, RebuildTrial, TraceTrial, Trial
 from grader.run.requests import request
 from grader.run.session import Allowance, Engine, run_job
@@ -47,9 +47,19 @@ class Engines:
 
     def of(self, trial: Trial) -> Engine | None:
         """Choose the build that a trial runs on."""
-        if not is_sanitized(trial):
-            return self.graded
-        return self.sanitized if part_of(trial) == "a" else self.deep
+        match build_of(trial):
+            case Further.SANITIZED:
+                return self.sanitized
+            case Further.DEEP:
+                return self.deep
+        return self.graded
+
+
+def build_of(trial: Trial) -> Further | None:
+    """Name the build that a trial runs on; None for the graded one."""
+    if not is_sanitized(trial):
+        return None
+    return Further.SANITIZED if part_of(trial) == "a" else Further.DEEP
 
 
 def part_of(trial: Trial) -> str:

@@ -10,7 +10,7 @@ from grader.build import compile
 from grader.build.compiler import find_compiler, sanitizer_runtime
 from grader.errors import BuildFault
 from grader.model.cases import SourceCase
-from grader.model.stages import Build, Diagnostic, Stop
+from grader.model.stages import Build, Diagnostic, Further, Stop
 from grader.model.verdict import Verdict
 from grader.run.job import Job
 from grader.run.protocol import Op
@@ -26,6 +26,7 @@ from tests.compiled import (
     STARTER,
     engine_of,
     graph_of,
+    partial_build,
     whole_build,
 )
 from tests.verify.builder import findings, soup
@@ -169,16 +170,41 @@ def test_libraries_of_every_compiler_run(compiled: Compile, compiler: str) -> No
 
 def test_a_file_that_insists_on_the_real_depth_is_sanitized(compiled: Compile) -> None:
     """A static assertion on the depth limit is no reason to lose the memory checks."""
-    insists = "static_assert(BVH::maxDepth == 20);\n"
-    build = compiled(BEGIN + insists + CONSTRUCT + INTERSECT)
+    build = compiled(BEGIN + INSISTS + CONSTRUCT + INTERSECT)
     assert build.library
     assert build.sanitized
 
 
+@pytest.mark.parametrize("asked", [(), *((each,) for each in Further)])
+@pytest.mark.usefixtures("cache")
+def test_only_what_is_asked_for_is_made(asked: tuple[Further, ...], tmp_path: Path) -> None:
+    """The graded library always, and nothing is said against what nobody asked for."""
+    build = partial_build(STARTER.read_text(), tmp_path, *asked)
+    made = {"sanitized": build.sanitized, "deep": build.deep, "calls": build.calls}
+    assert build.library
+    assert [name for name, product in made.items() if product] == [one.value for one in asked]
+    assert build.remarks == ()
+
+
+INSISTS = "static_assert(BVH::maxDepth == 20);\n"
+REFUSES = '#ifdef __SANITIZE_ADDRESS__\n#error "not with me"\n#endif\n'
+
+
+@pytest.mark.usefixtures("cache")
+def test_the_small_build_alone_has_the_same_way_out(tmp_path: Path) -> None:
+    """Whoever insists on the real depth limit gets it, and whoever refuses both is told so."""
+    insists = BEGIN + INSISTS + CONSTRUCT + INTERSECT
+    assert partial_build(insists, tmp_path / "insists", Further.SANITIZED).sanitized
+    refuses = BEGIN + REFUSES + CONSTRUCT + INTERSECT
+    refused = partial_build(refuses, tmp_path / "refuses", Further.SANITIZED)
+    assert refused.library
+    assert refused.sanitized is None
+    assert "not with me" in refused.remarks[0]
+
+
 def test_a_file_that_refuses_sanitizers_is_told_so(compiled: Compile) -> None:
     """It is graded, its memory is not called safe, and a remark says why."""
-    refuses = '#ifdef __SANITIZE_ADDRESS__\n#error "not with me"\n#endif\n'
-    build = compiled(BEGIN + refuses + CONSTRUCT + INTERSECT)
+    build = compiled(BEGIN + REFUSES + CONSTRUCT + INTERSECT)
     assert build.library
     assert build.sanitized is None
     assert build.deep is None
