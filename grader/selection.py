@@ -16,7 +16,7 @@ from grader.model.stages import Further
 from grader.model.trials import ConstructTrial, Trial
 from grader.oracle.plan import spine_trials
 from grader.run.trials import build_of
-from grader.score.rubric import load_rubric
+from grader.score.rubric import BOTH, load_rubric
 from grader.tolerances import FACES_PER_LEAF, SMALL_MAX_DEPTH
 from grader.verify import every_check
 from grader.verify.check import Check
@@ -98,13 +98,17 @@ def select(
     shown = [criterion for criterion in rubric.criteria if criterion.check not in hidden]
     if not shown:
         raise UsageError("the rubric hides every check, so there is nothing to run")
-    gates = [criterion.check for criterion in shown if criterion.gate]
+    # A gate closes its own part only.
+    parts = {BOTH, *(criterion.part for criterion in shown if criterion.check in only)}
+    gates = {one.check for one in shown if one.gate and one.part in parts}
     wanted = {*only, *gates} if only else {one.check for one in shown}
     wanted = _closure({each.id: (*each.needs, *each.blames) for each in checks}, wanted)
     criteria = tuple(
         criterion
         for criterion in shown
-        if not only or criterion.check in only or (criterion.gate and not criterion.points)
+        if not only
+        or criterion.check in only
+        or (criterion.check in gates and not criterion.points)
     )
     return Selection(
         replace(rubric, criteria=criteria),

@@ -167,3 +167,17 @@ def test_who_looks_at_deep_trees_learns_whether_they_are_asked_for(id: str) -> N
     looks = id in ("bvh.depth-is-limited", "bvh.memory-is-safe")
     wanted = depths if looks or selection.useful(planned()[1]) else ()
     assert selection.useful(depths) == tuple(wanted)
+
+
+def test_a_gate_of_the_other_part_is_not_run() -> None:
+    """It closes nothing that was asked for; that of the whole file is."""
+    gates = {"build.compiles", "bvh.is-readable", "work.uses-the-tree"}
+    assert gates & set(run(select(None, ("hits.closest-wins",)))) == {
+        "build.compiles",
+        "work.uses-the-tree",
+    }
+    assert gates & set(run(select(None, ("bvh.boxes-are-tight",)))) == {
+        "build.compiles",
+        "bvh.is-readable",
+    }
+    assert gates <= set(run(select(None, ("hits.closest-wins", "bvh.boxes-are-tight"))))
