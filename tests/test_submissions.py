@@ -6,59 +6,77 @@ import pytest
 
 from grader.certify.corpus import (
     Wrong,
+    corpus_folder,
     digest_of,
+    every_submission,
     name_of,
     right_submissions,
     wrong_submissions,
 )
 from grader.certify.matrix import SEED, line_of, stored_lines
 from grader.certify.row import graded_row
+from grader.certify.sample import killers
+from grader.model.stages import Further
+from grader.model.verdict import Verdict
+from grader.pipeline import Options, grade_one
+from grader.resources import reference_source
 from grader.score.rubric import load_rubric
+from grader.selection import select
 
 FULL = "25"
 WRONG = wrong_submissions()
+KILLERS = killers()
+
+DIFFERENT = ("literals-and-german-comments", "parallel-levels", "strategy-pattern")
+"""Right files: a literal 20 for the depth limit, threads, and virtual functions."""
 
 
-def killers() -> list[Wrong]:
-    """For each check the first wrong submission that only this check sees.
-
-    Grading the whole corpus takes half an hour; `bvhgrade certify` does.
-    """
-    lines = stored_lines()
-    chosen: dict[str, Wrong] = {}
-    for wrong in WRONG:
-        line = lines.get(name_of(wrong.path), {})
-        failed = [check for check, letter in line.items() if letter == "F"]
-        if failed == [wrong.checks[0]]:
-            chosen.setdefault(wrong.checks[0], wrong)
-    return list(chosen.values())
+def verdicts(path: Path, *checks: str) -> dict[str, Verdict]:
+    """Grade a file for some checks only."""
+    grade = grade_one(path, Options(SEED, None, checks, lambda *_: None))
+    return {one.check: one.verdict for one in grade.checks if one.check in checks}
 
 
-@pytest.mark.parametrize("path", right_submissions(), ids=lambda path: path.stem)
-def test_a_right_submission_earns_everything(path: Path) -> None:
+def checks_by_build() -> dict[frozenset[Further], list[str]]:
+    """Group the checks by what is compiled for one of them alone."""
+    groups: dict[frozenset[Further], list[str]] = {}
+    for check in KILLERS:
+        groups.setdefault(select(None, (check,)).further, []).append(check)
+    return groups
+
+
+@pytest.mark.parametrize("check", KILLERS)
+def test_a_wrong_submission_fails_its_own_check(check: str) -> None:
+    """Also if nothing else is graded; `bvhgrade certify --sample` grades it as a whole."""
+    assert verdicts(KILLERS[check].path, check) == {check: Verdict.FAIL}
+
+
+@pytest.mark.parametrize("further", checks_by_build(), ids=lambda one: f"{len(one)} builds")
+def test_the_reference_passes_the_same_checks(further: frozenset[Further]) -> None:
+    """With the same builds as the wrong ones."""
+    checks = checks_by_build()[further]
+    assert select(None, checks).further == further
+    assert verdicts(reference_source(), *checks) == dict.fromkeys(checks, Verdict.PASS)
+
+
+@pytest.mark.parametrize("name", DIFFERENT)
+def test_a_right_submission_earns_everything(name: str) -> None:
     """50 of 50, whatever allowed reading of the sheet it takes; and the matrix says so."""
+    path = corpus_folder() / "right" / f"{name}.cpp"
     graded = graded_row(path, SEED)
     assert sum(graded.scores) == 50, sorted(graded.failed)
     assert line_of(graded) == stored_lines()[name_of(path)]
 
 
-@pytest.mark.parametrize("wrong", killers(), ids=lambda wrong: wrong.path.stem)
-def test_a_wrong_submission_is_seen_as_the_matrix_says(wrong: Wrong) -> None:
-    """The same checks fail, the same points are lost."""
-    assert line_of(graded_row(wrong.path, SEED)) == stored_lines()[name_of(wrong.path)]
-
-
 def test_the_matrix_is_of_these_files() -> None:
     """Whoever edits a submission writes the matrix anew."""
-    paths = [*right_submissions(), *(wrong.path for wrong in WRONG)]
     stored = {name: line["sha256"] for name, line in stored_lines().items()}
-    assert stored == {name_of(path): digest_of(path) for path in paths}
+    assert stored == {name_of(path): digest_of(path) for path in every_submission()}
 
 
 def test_every_check_has_a_killer() -> None:
     """For each check there is a mistake that it owns, and for most one that only it sees."""
-    owned = {wrong.checks[0] for wrong in WRONG}
-    assert owned == {criterion.check for criterion in load_rubric(None).criteria}
+    assert set(KILLERS) == {criterion.check for criterion in load_rubric(None).criteria}
 
 
 @pytest.mark.parametrize("wrong", WRONG, ids=lambda wrong: wrong.path.stem)

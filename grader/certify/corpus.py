@@ -56,6 +56,11 @@ def wrong_submissions() -> list[Wrong]:
     return [read_wrong(path) for path in sorted((corpus_folder() / "wrong").glob("*.cpp"))]
 
 
+def every_submission() -> list[Path]:
+    """The right files, and the wrong ones."""
+    return [*right_submissions(), *(one.path for one in wrong_submissions())]
+
+
 def read_wrong(path: Path) -> Wrong:
     """Read the three header lines of a wrong submission.
 

@@ -77,17 +77,17 @@ def differing_seeds(rows: Iterable[Row]) -> list[str]:
 def _against(row: Row, promise: Wrong | None) -> Iterator[Hole]:
     if promise is None:
         if sum(row.scores) < sum(full_marks().values()):
-            yield Hole(Kind.FALSE_REJECT, f"{_named(row)}: {_told(row)}")
+            yield Hole(Kind.FALSE_REJECT, f"{_named(row)}: {told(row)}")
         return
     if sum(row.scores) >= sum(full_marks().values()):
         yield Hole(Kind.FALSE_ACCEPT, _named(row))
     unseen = [check for check in promise.checks if check not in row.failed]
     if unseen:
-        yield Hole(Kind.UNSEEN, f"{_named(row)}: {', '.join(unseen)}; but {_told(row)}")
+        yield Hole(Kind.UNSEEN, f"{_named(row)}: {', '.join(unseen)}; but {told(row)}")
     scores = dict(zip(PARTS, row.scores, strict=True))
     kept = promise.untouched
     if kept in scores and scores[kept] < full_marks()[kept]:
-        yield Hole(Kind.LEAK, f"{_named(row)}: part {kept} has {scores[kept]:g}; {_told(row)}")
+        yield Hole(Kind.LEAK, f"{_named(row)}: part {kept} has {scores[kept]:g}; {told(row)}")
 
 
 @cache
@@ -102,13 +102,15 @@ def _unsteady(rows: Iterable[Row]) -> Iterator[Hole]:
     for row in rows:
         first = seen.setdefault((row.name, row.seed), row)
         if row != first:
-            yield Hole(Kind.UNSTEADY, f"{_named(row)}: {_told(first)}, and then {_told(row)}")
+            yield Hole(Kind.UNSTEADY, f"{_named(row)}: {told(first)}, and then {told(row)}")
 
 
 def _named(row: Row) -> str:
     return f"{row.name} (seed {row.seed})"
 
 
-def _told(row: Row) -> str:
+def told(row: Row) -> str:
+    """Word a row: points, failed checks, and what the first of them says."""
     scores = " + ".join(f"{score:g}" for score in row.scores)
-    return f"{scores} points, failed: {', '.join(row.failed) or 'nothing'} {row.because}"
+    words = f"{scores} points, failed: {', '.join(row.failed) or 'nothing'} {row.because}"
+    return words.rstrip()

@@ -12,10 +12,8 @@ from grader.errors import UsageError
 from grader.report.escape import line_for_terminal
 
 if TYPE_CHECKING:
-    from grader.certify.corpus import Wrong
     from grader.certify.holes import Hole
     from grader.certify.row import Row
-    from grader.certify.run import Work
 
 
 @click.command()
@@ -34,6 +32,11 @@ if TYPE_CHECKING:
 @click.option("--again", is_flag=True, help="Grade what is stored too, and compare.")
 @click.option("--stored", is_flag=True, help="Grade nothing; judge the stored kill matrix.")
 @click.option(
+    "--sample",
+    is_flag=True,
+    help="Only right files and one wrong one for each check; compare with the stored matrix.",
+)
+@click.option(
     "--mutants",
     type=click.IntRange(1),
     metavar="N",
@@ -42,71 +45,103 @@ if TYPE_CHECKING:
 @click.option(
     "--seed", type=int, default=1, show_default=True, help="What those N are drawn with."
 )
-def certify(match: str, stored: bool, **given: Any) -> None:  # noqa: ANN401 - click's own
+def certify(
+    match: str,
+    stored: bool,
+    sample: bool,
+    **given: Any,  # noqa: ANN401 - click's own
+) -> None:
     """Grade every right and wrong submission of a checkout.
 
     What this state of the grader has graded before is not graded again: a run that was killed
     goes on. The rows of seed 41 become tests/submissions/kill-matrix.csv, and what they
-    say is written to docs/certificate.md.
+    say is written to docs/certificate.md. A sample is compared with them, and writes neither.
 
-    Exit status: 0 nothing speaks against the grader, 1 there is a hole.
+    Exit status: 0 nothing speaks against the grader, 1 there is a hole or a difference.
     """
-    from grader.certify.corpus import name_of, right_submissions, wrong_submissions
-    from grader.certify.matrix import SEED, row_of, stored_lines
-
-    wrong = wrong_submissions()
-    every = [*right_submissions(), *(one.path for one in wrong)]
     if given["mutants"]:
         from grader.cli.mutants import study
 
         hole = study(match, **given)
-        write_certificate(wrong)
+        write_certificate()
         raise Exit(LOST_POINTS if hole else FULL_MARKS)
+    paths = asked_for(match, sample)
+    rows = stored_rows(paths) if stored else graded_rows(paths, **given)
+    if not sample:
+        if not stored:
+            keep(rows)
+        write_certificate()
+    found = print_holes(rows, not match)
+    if sample:
+        found |= print_differences(rows)
+    raise Exit(LOST_POINTS if found else FULL_MARKS)
+
+
+def asked_for(match: str, sample: bool) -> list[Path]:
+    """Choose files of the corpus.
+
+    Raises:
+        UsageError: There is no such file.
+    """
+    from grader.certify.corpus import every_submission, name_of
+    from grader.certify.sample import sampled
+
+    every = sampled() if sample else every_submission()
     paths = [path for path in every if match in name_of(path)]
     if not paths:
         raise UsageError(f"--match {match}: no submission of the corpus has such a name")
-    if stored:
-        names = {name_of(path) for path in paths}
-        rows = [row_of(line) for name, line in stored_lines().items() if name in names]
-    else:
-        from grader.certify.run import Work
-
-        seeds = range(SEED, SEED + given["seeds"])
-        rows = graded_rows(Work(paths, seeds, given["jobs"], given["again"]))
-        print_matrix(rows)
-        keep([row for row in rows if row.seed == SEED and not row.broken], every)
-    write_certificate(wrong)
-    raise Exit(LOST_POINTS if print_holes(rows, wrong, not match) else FULL_MARKS)
+    return paths
 
 
-def graded_rows(work: "Work") -> "list[Row]":
-    """Grade what is missing and show each row as it comes in."""
+def stored_rows(paths: Sequence[Path]) -> "list[Row]":
+    """Take what the stored matrix says of some files."""
+    from grader.certify.corpus import name_of
+    from grader.certify.matrix import row_of, stored_lines
+
+    names = {name_of(path) for path in paths}
+    return [row_of(line) for name, line in stored_lines().items() if name in names]
+
+
+def graded_rows(
+    paths: Sequence[Path],
+    seeds: int,
+    jobs: int,
+    again: bool,
+    **_: Any,  # noqa: ANN401 - the other options
+) -> "list[Row]":
+    """Grade what is missing, show each row as it comes in, and then all of them."""
     from grader.certify.ledger import Ledger, grader_digest, usual_ledger
-    from grader.certify.run import certified_rows
+    from grader.certify.matrix import SEED
+    from grader.certify.run import Work, certified_rows
 
     def tell(row: "Row") -> None:
         marks = [*row.failed, *(f"BROKEN {line_for_terminal(each)}" for each in row.broken)]
         scores = " ".join(f"{score:g}" for score in row.scores)
         click.echo(f"{row.seed} {row.name}  {scores}  {' '.join(marks)}")
 
-    return certified_rows(work, Ledger(usual_ledger(), grader_digest()), tell)
+    work = Work(paths, range(SEED, SEED + seeds), jobs, again)
+    rows = certified_rows(work, Ledger(usual_ledger(), grader_digest()), tell)
+    print_matrix(rows)
+    return rows
 
 
-def keep(rows: "Sequence[Row]", every: Sequence[Path]) -> None:
-    """Put the rows of the matrix's seed into the stored matrix."""
-    from grader.certify.corpus import name_of
-    from grader.certify.matrix import store
+def keep(rows: "Sequence[Row]") -> None:
+    """Put the decided rows of the matrix's seed into the stored matrix."""
+    from grader.certify.corpus import every_submission, name_of
+    from grader.certify.matrix import SEED, store
 
-    store(rows, [name_of(path) for path in every])
+    decided = [row for row in rows if row.seed == SEED and not row.broken]
+    store(decided, [name_of(path) for path in every_submission()])
 
 
-def write_certificate(wrong: "Sequence[Wrong]") -> None:
+def write_certificate() -> None:
     """Write docs/certificate.md from the stored matrix."""
     from grader.certify.certificate import certificate, certificate_file
+    from grader.certify.corpus import wrong_submissions
     from grader.certify.matrix import row_of, stored_lines
 
     rows = [row_of(line) for line in stored_lines().values()]
-    certificate_file().write_text(certificate(rows, wrong))
+    certificate_file().write_text(certificate(rows, wrong_submissions()))
 
 
 def print_matrix(rows: "Sequence[Row]") -> None:
@@ -124,10 +159,22 @@ def print_matrix(rows: "Sequence[Row]") -> None:
         click.echo(f"{name:<{width}}  {' '.join(told)}")
 
 
-def print_holes(rows: "Sequence[Row]", wrong: "Sequence[Wrong]", whole: bool) -> bool:
+def print_differences(rows: "Sequence[Row]") -> bool:
+    """Tell where the stored matrix says something else; True if it does anywhere."""
+    from grader.certify.sample import differences
+
+    found = list(differences(rows))
+    click.echo(f"\n{len(found)} differ from the stored matrix")
+    click.echo("".join(f"  {line_for_terminal(each)}\n" for each in found), nl=False)
+    return bool(found)
+
+
+def print_holes(rows: "Sequence[Row]", whole: bool) -> bool:
     """Tell what speaks against the grader; True if something does."""
+    from grader.certify.corpus import wrong_submissions
     from grader.certify.holes import Kind, differing_seeds, holes, without_killer
 
+    wrong = wrong_submissions()
     found: list[Hole] = holes(rows, wrong)
     if whole:
         found += without_killer(rows, wrong)
