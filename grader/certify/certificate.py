@@ -8,6 +8,7 @@ from grader.certify.corpus import Wrong, checkout, name_of
 from grader.certify.fates import FATES, Counts, share_caught, stored_counts
 from grader.certify.holes import Kind, full_marks, holes, without_killer
 from grader.certify.row import Row
+from grader.certify.smallest import smallest_lines, stored_smallest
 from grader.score.rubric import load_rubric
 
 BEGIN = """\
@@ -43,6 +44,18 @@ conditions, order, dropped statements, exchanged arguments.
 
 """
 
+SMALLEST = """
+## Smallest counterexamples
+
+For each failed check the grader looks for a small input that fails it, too. Stored by
+`bvhgrade certify --counterexamples`.
+
+- *Failed*: wrong submissions that fail the check, as far as they were searched.
+- *Found*: those with a small input.
+- *Faces*, *rays*: the median of those inputs; both meshes count where there are two.
+
+"""
+
 
 @dataclass(frozen=True, slots=True)
 class _Kills:
@@ -69,7 +82,8 @@ def certificate_file() -> Path:
 def certificate(rows: Sequence[Row], wrong: Sequence[Wrong]) -> str:
     """Word what the rows of the stored matrix say."""
     corpus = _summary(rows, wrong) + KILLERS + "".join(kill_lines(rows, wrong))
-    return BEGIN + corpus + MUTANTS + "".join(mutant_lines(stored_counts()))
+    mutants = MUTANTS + "".join(mutant_lines(stored_counts()))
+    return BEGIN + corpus + SMALLEST + "".join(smallest_lines(stored_smallest())) + mutants
 
 
 def kill_lines(rows: Iterable[Row], wrong: Iterable[Wrong]) -> list[str]:

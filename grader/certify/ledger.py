@@ -6,7 +6,7 @@ was. A line belongs to one state of everything that a verdict depends on.
 
 import hashlib
 import json
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import asdict, fields
 from pathlib import Path
 from typing import Any
@@ -18,6 +18,9 @@ from grader.certify.row import Row
 
 WITHOUT_VERDICT = ("certify", "cli", "counterexample", "diagnose", "report", "__pycache__")
 """Folders of the package that decide nothing."""
+
+WITHOUT_SIZES = tuple(each for each in WITHOUT_VERDICT if each != "counterexample")
+"""Folders that do not decide how small a counterexample is either."""
 
 _ENDINGS = {".py", ".toml", ".txt", ".cpp", ".h", ".npz", ".exr", ".answers", ".obj"}
 
@@ -37,7 +40,7 @@ class Ledger:
 
     def rows(self) -> Iterator[Row]:
         """Every row that this grader wrote, oldest first."""
-        for line in self._lines("row"):
+        for line in self.entries("row"):
             scores, failed, broken = (
                 tuple(line[key]) for key in ("scores", "failed", "broken")
             )
@@ -46,19 +49,20 @@ class Ledger:
 
     def add(self, row: Row) -> None:
         """Append a row."""
-        self._append("row", asdict(row))
+        self.enter("row", asdict(row))
 
     def studied(self) -> Iterator[Studied]:
         """Every mutant whose fate with this grader is known, oldest first."""
         names = [field.name for field in fields(Studied)]
-        for line in self._lines("mutant"):
+        for line in self.entries("mutant"):
             yield Studied(**{name: line[name] for name in names})
 
     def add_studied(self, one: Studied) -> None:
         """Append what became of a mutant."""
-        self._append("mutant", asdict(one))
+        self.enter("mutant", asdict(one))
 
-    def _lines(self, kind: str) -> Iterator[dict[str, Any]]:
+    def entries(self, kind: str) -> Iterator[dict[str, Any]]:
+        """Every entry of one kind that this grader wrote, oldest first."""
         if not self._path.exists():
             return
         for text in self._path.read_text().splitlines():
@@ -69,7 +73,8 @@ class Ledger:
             if line["grader"] == self._grader and line["entry"] == kind:
                 yield line
 
-    def _append(self, kind: str, told: dict[str, Any]) -> None:
+    def enter(self, kind: str, told: dict[str, Any]) -> None:
+        """Append an entry of some kind."""
         text = json.dumps({"grader": self._grader, "entry": kind, **told})
         with self._path.open("a") as file:
             # The line break first: the last line may have been cut off.
@@ -81,20 +86,27 @@ def usual_ledger() -> Path:
     return resources.private_cache("certify") / "rows.jsonl"
 
 
-def grader_digest() -> str:
-    """Digest of all that a verdict depends on: the grader, the exercise and the compiler."""
+def grader_digest(without: Collection[str] = WITHOUT_VERDICT) -> str:
+    """Digest of all that a verdict depends on: the grader, the exercise and the compiler.
+
+    Args:
+        without: Folders of the package that do not matter.
+    """
     package = Path(resources.__file__).parent
     folders = [package, resources.stub_folder(), resources.scenes_folder()]
-    files = [resources.reference_source(), *(file for each in folders for file in _files(each))]
+    files = [
+        resources.reference_source(),
+        *(file for each in folders for file in _files(each, without)),
+    ]
     digest = hashlib.sha256(find_compiler().title.encode())
     for path in files:
         digest.update(f"{path.name}\0".encode() + hashlib.sha256(path.read_bytes()).digest())
     return digest.hexdigest()[:16]
 
 
-def _files(folder: Path) -> Iterator[Path]:
+def _files(folder: Path, without: Collection[str]) -> Iterator[Path]:
     for path in sorted(folder.rglob("*")):
         inside = path.relative_to(folder).parts
-        skipped = inside[0] in {*WITHOUT_VERDICT, "build", "data"}
+        skipped = inside[0] in {*without, "build", "data"}
         if path.is_file() and path.suffix in _ENDINGS and not skipped:
             yield path

@@ -43,6 +43,11 @@ if TYPE_CHECKING:
     help="Study N small edits of right submissions instead of the corpus.",
 )
 @click.option(
+    "--counterexamples",
+    is_flag=True,
+    help="Store how small the inputs are that fail the checks of wrong submissions.",
+)
+@click.option(
     "--seed", type=int, default=1, show_default=True, help="What those N are drawn with."
 )
 def certify(
@@ -65,6 +70,12 @@ def certify(
         hole = study(match, **given)
         write_certificate()
         raise Exit(LOST_POINTS if hole else FULL_MARKS)
+    if given["counterexamples"]:
+        from grader.cli.smallest import search
+
+        undecided = search(match, **given)
+        write_certificate()
+        raise Exit(LOST_POINTS if undecided else FULL_MARKS)
     paths = asked_for(match, sample)
     rows = stored_rows(paths) if stored else graded_rows(paths, **given)
     if not sample:

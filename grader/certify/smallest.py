@@ -1,0 +1,158 @@
+"""How small are the inputs that show mistakes? Of each failed check of the corpus, the size.
+
+They are looked for in grades of their own, with the matrix's seed: the search takes time, moves
+no point, and so has no place in the rows of the matrix.
+"""
+
+import csv
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from statistics import median
+
+from grader.certify.corpus import corpus_folder, digest_of, name_of
+from grader.certify.ledger import Ledger
+from grader.certify.matrix import SEED
+from grader.errors import GraderError
+from grader.model.cases import BuildCase, SourceCase
+from grader.model.grade import CheckScore
+from grader.model.verdict import Verdict
+from grader.pipeline import Options, grade_one
+from grader.sandbox.crew import mapped
+from grader.verify import every_check
+
+ENTRY = "smallest"
+"""What a ledger calls the sizes of one file."""
+
+COLUMNS = ("check", "submission", "faces", "rays")
+
+WITHOUT_INPUT = frozenset(
+    each.id for each in every_check() if each.kind in (BuildCase, SourceCase)
+)
+"""Checks that look at the file, and at no input."""
+
+
+@dataclass(frozen=True, slots=True)
+class Smallest:
+    """The smallest input that was found to fail a check with a submission."""
+
+    check: str
+    submission: str
+    faces: int | None
+    """None if no small input was found."""
+
+    rays: int | None
+
+
+def smallest_file() -> Path:
+    """Where the sizes are stored."""
+    return corpus_folder() / "counterexamples.csv"
+
+
+def smallest_inputs(path: Path) -> list[Smallest] | None:
+    """Grade a submission and look for small inputs; None if our own fault kept us from it."""
+    options = Options(SEED, None, (), lambda *_: None, counterexamples=True)
+    try:
+        grade = grade_one(path, options)
+    except GraderError:
+        return None
+    if grade.needs_review:
+        return None
+    failed = (one for one in grade.checks if one.verdict is Verdict.FAIL)
+    return [_size(name_of(path), one) for one in failed if one.check not in WITHOUT_INPUT]
+
+
+def _size(name: str, score: CheckScore) -> Smallest:
+    found = score.counterexample
+    return Smallest(
+        score.check, name, found.faces if found else None, found.rays if found else None
+    )
+
+
+def searched(
+    paths: Sequence[Path],
+    jobs: int,
+    ledger: Ledger,
+    tell: Callable[[str, Sequence[Smallest] | None], None],
+) -> list[Smallest]:
+    """Search what is missing in the ledger, and return all that is known of these files.
+
+    Args:
+        paths: Wrong submissions.
+        jobs: How many processes.
+        ledger: Where results are kept.
+        tell: Called with each file and what was found, at once.
+    """
+    keys = {(name_of(path), digest_of(path)): path for path in paths}
+
+    def known() -> dict[tuple[str, str], list[Smallest]]:
+        told = ((line["name"], line["digest"], line["sizes"]) for line in ledger.entries(ENTRY))
+        return {
+            (name, digest): [Smallest(**one) for one in sizes]
+            for name, digest, sizes in told
+            if (name, digest) in keys
+        }
+
+    done = known()
+    waiting = [key for key in keys if key not in done]
+    orders = [(keys[key],) for key in waiting]
+    results = mapped(smallest_inputs, orders, jobs)
+    for (name, digest), found in zip(waiting, results, strict=True):
+        if found is not None:
+            sizes = [asdict(one) for one in found]
+            ledger.enter(ENTRY, {"name": name, "digest": digest, "sizes": sizes})
+        tell(name, found)
+    return [one for found in known().values() for one in found]
+
+
+def store_smallest(found: Sequence[Smallest], known: Iterable[Path]) -> None:
+    """Write the sizes of these files, and keep those of others.
+
+    Args:
+        found: All that was found of some files.
+        known: All files there are; sizes of others are dropped.
+    """
+    fresh = {one.submission for one in found}
+    names = {name_of(path) for path in known}
+    kept = [one for one in stored_smallest() if one.submission in names - fresh]
+    lines = sorted([*kept, *found], key=lambda one: (one.check, one.submission))
+    with smallest_file().open("w", newline="") as file:
+        writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(asdict(one) for one in lines)
+
+
+def stored_smallest() -> list[Smallest]:
+    """Read the sizes of the last search of each file."""
+    if not smallest_file().exists():
+        return []
+    with smallest_file().open(newline="") as file:
+        return [
+            Smallest(
+                line["check"], line["submission"], _number(line["faces"]), _number(line["rays"])
+            )
+            for line in csv.DictReader(file)
+        ]
+
+
+def _number(text: str) -> int | None:
+    return int(text) if text else None
+
+
+def smallest_lines(sizes: Sequence[Smallest]) -> list[str]:
+    """Word the table: a line for each check, and all of them together."""
+    lines = ["| check | failed | found | faces | rays | most faces |\n"]
+    lines.append("|---" + "|---:" * 5 + "|\n")
+    for each in every_check():
+        mine = [one for one in sizes if one.check == each.id]
+        if mine:
+            lines.append(_line(f"`{each.id}`", mine))
+    return [*lines, _line("all", sizes)]
+
+
+def _line(title: str, sizes: Sequence[Smallest]) -> str:
+    faces = [one.faces for one in sizes if one.faces is not None]
+    rays = [one.rays for one in sizes if one.rays]
+    told = (f"{median(each):g}" if each else "" for each in (faces, rays))
+    cells = (title, len(sizes), len(faces), *told, max(faces, default=""))
+    return f"| {' | '.join(str(cell) for cell in cells)} |\n"

@@ -1,0 +1,45 @@
+"""What `bvhgrade certify --counterexamples` does: how small are the inputs that fail checks?"""
+
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from grader.errors import UsageError
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from grader.certify.smallest import Smallest
+
+
+def search(match: str, jobs: int, **_: Any) -> bool:  # noqa: ANN401 - the other options
+    """Search wrong submissions, store the sizes; True if one could not be graded."""
+    from grader.certify.corpus import every_submission, name_of, wrong_submissions
+    from grader.certify.ledger import WITHOUT_SIZES, Ledger, grader_digest, usual_ledger
+    from grader.certify.smallest import searched, store_smallest
+
+    paths = [one.path for one in wrong_submissions() if match in name_of(one.path)]
+    if not paths:
+        raise UsageError(f"--match {match}: no wrong submission has such a name")
+    undecided = []
+
+    def tell(name: str, found: "Sequence[Smallest] | None") -> None:
+        if found is None:
+            undecided.append(name)
+        click.echo(f"{name}: {worded(found)}")
+
+    ledger = Ledger(usual_ledger(), grader_digest(WITHOUT_SIZES))
+    store_smallest(searched(paths, jobs, ledger, tell), every_submission())
+    return bool(undecided)
+
+
+def worded(found: "Sequence[Smallest] | None") -> str:
+    """Word what was found of one submission."""
+    if found is None:
+        return "undecided: our own fault, or a machine that is too busy"
+    return ", ".join(
+        f"{one.check} {one.faces} faces {one.rays} rays"
+        if one.faces is not None
+        else f"{one.check} none"
+        for one in found
+    )
