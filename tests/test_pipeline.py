@@ -18,6 +18,7 @@ from grader.pipeline import Options, engines_for, grade_one
 from grader.report.as_json import schema_text, to_json
 from grader.resources import reference_source, stub_folder
 from grader.run.trials import Engines
+from grader.sandbox.nursery import Nursery
 from grader.sandbox.scratch import scratch_folder
 from grader.sandbox.selftest import proved_isolation
 from grader.score.rubric import SHIPPED
@@ -196,8 +197,8 @@ def test_one_trial_needs_one_build(
     """What shows a counterexample again compiles nothing else."""
     trial = construct(9, sanitized) if part == "a" else trace(False, sanitized)
     options = Options(41, None, (), lambda *_: None)
-    with scratch_folder() as folder:
-        engines = engines_for(reference_source(), folder, options, trial)
+    with scratch_folder() as folder, Nursery() as nursery:
+        engines = engines_for(reference_source(), folder, nursery, options, trial)
     assert isinstance(engines, Engines)
     further = {"sanitized": engines.sanitized, "deep": engines.deep}
     assert [name for name, engine in further.items() if engine] == ([made] if made else [])
