@@ -4,31 +4,24 @@ The limits are tighter than the shipped ones, so that what runs into them does s
 rest is the grader as it is; only what no check of a run looks at is left out of its build.
 """
 
-import io
 import json
 import time
 import tomllib
-import unicodedata
 from collections.abc import Callable, Generator
 from functools import partial
 from pathlib import Path
 from typing import Any
 
-import jsonschema
 import pytest
-from rich.console import Console
 
 from grader import pipeline
 from grader.build import compile as building
 from grader.build.diagnostics import SOURCE_NAME
 from grader.build.workspace import GRADED
-from grader.model.grade import Grade
+from grader.errors import BuildFault
 from grader.model.stages import Ending, Stop
 from grader.model.verdict import Verdict
 from grader.pipeline import Options, grade_one
-from grader.report.as_json import schema_text, to_text
-from grader.report.failure import Occasion
-from grader.report.terminal import print_grade
 from grader.resources import reference_source
 from grader.run import trials
 from grader.run.session import run_job
@@ -36,6 +29,7 @@ from grader.sandbox.selftest import proved_isolation
 from grader.score.rubric import SHIPPED
 from grader.solution import Solution
 from tests.attacks.attack import HERE, Attack, Graded, every_attack, read_attack
+from tests.attacks.reports import checked_reports
 from tests.attacks.witness import VARIABLE, Witness, census, survivors, witnessed
 
 SEED = 41
@@ -46,11 +40,14 @@ LIMITS = {"small_seconds": 1, "large_seconds": 4}
 TOTAL_SECONDS = 40
 """Of a grade that scores some checks only."""
 
+ATTEMPTS = 3
+CROWDED = "stood in line for a processor"
+"""Words of the verdict "broken" for who did not get the time that its limits promise."""
+
 BOMB_SECONDS = {"seconds": 3, "wall_seconds": 8}
 """Compiling a file that is expected to fail."""
 
 _SANITIZED = ("bvh.memory-is-safe", "hits.memory-is-safe", "bvh.depth-is-limited")
-_DIRECTION = set("\u061c\u200e\u200f\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069")
 
 
 def each_in_one_process() -> list[Any]:
@@ -87,10 +84,7 @@ def test_an_attack_gets_nowhere(
     """It earns what its header says; nothing is read, written, called, left or believed."""
     monkeypatch.setattr(pipeline, "proved_isolation", partial(proved_isolation, level))
     proved_isolation(level)
-    started = time.monotonic()
-    noticed, graded = watched(attack, witness, monkeypatch)
-    assert noticed == []
-    assert time.monotonic() - started < LONGEST_SECONDS
+    graded = on_a_free_processor(attack, witness, monkeypatch)
     told = [
         (one.check, one.verdict.value, one.score, one.message) for one in graded.grade.checks
     ]
@@ -117,6 +111,28 @@ def test_an_attack_is_real(
     attack = read_attack(HERE / f"{name}.cpp")
     noticed, graded = watched(attack, witness, monkeypatch, isolated=False)
     assert sign in " ".join(noticed), graded.reports
+
+
+def on_a_free_processor(
+    attack: Attack, witness: Witness, monkeypatch: pytest.MonkeyPatch
+) -> Graded:
+    """Grade an attack once more, as the grader asks, if other work was in its way.
+
+    Every time nothing is reached, and the grade is there in time.
+    """
+    for attempt in range(ATTEMPTS):
+        started = time.monotonic()
+        try:
+            noticed, graded = watched(attack, witness, monkeypatch)
+        except BuildFault as fault:
+            if CROWDED not in str(fault) or attempt == ATTEMPTS - 1:
+                raise
+            continue
+        assert noticed == []
+        assert time.monotonic() - started < LONGEST_SECONDS
+        if not any(CROWDED in check.message for check in graded.grade.checks):
+            break
+    return graded
 
 
 def watched(
@@ -228,34 +244,6 @@ def rubric_of(attack: Attack) -> str:
 def table(name: str, values: dict[str, Any]) -> str:
     """Write one table of TOML; its words and numbers look as in JSON."""
     return "\n".join([name, *(f"{key} = {json.dumps(value)}" for key, value in values.items())])
-
-
-def checked_reports(grade: Grade) -> str:
-    """Everything that a reader could see, in which nothing acts on a terminal or a runner."""
-    result = to_text(grade)
-    jsonschema.validate(json.loads(result), json.loads(schema_text()))
-    shown = io.StringIO()
-    console = Console(file=shown, width=100, color_system=None, legacy_windows=False)
-    print_grade(console, grade, Occasion("bvhgrade grade exercise03.cpp"))
-    for line in shown.getvalue().split("\n"):
-        assert not line.lstrip().startswith(("::", "##[")), line
-    for text in (shown.getvalue(), *texts(json.loads(result))):
-        active = {one for one in text if unicodedata.category(one) == "Cc"} - {"\n", "\t"}
-        assert not active | (_DIRECTION & {*text}), text
-    return shown.getvalue() + result + "".join(texts(json.loads(result)))
-
-
-def texts(value: Any) -> Generator[str]:  # noqa: ANN401 - any JSON
-    """Every text in a JSON value."""
-    if isinstance(value, str):
-        yield value
-    elif isinstance(value, dict):
-        for key, inner in value.items():
-            yield key
-            yield from texts(inner)
-    elif isinstance(value, list):
-        for inner in value:
-            yield from texts(inner)
 
 
 def test_no_worker_and_no_level_is_taken_on_trust() -> None:
