@@ -11,7 +11,8 @@ from grader.counterexample.reading import read
 from grader.counterexample.revived import trial_of
 from grader.errors import UsageError
 from grader.model.counterexample import Replay
-from grader.pipeline import Options, engines_for
+from grader.options import Options
+from grader.pipeline import engines_for
 from grader.sandbox.nursery import Nursery
 from grader.sandbox.scratch import scratch_folder
 from grader.solution import Solution

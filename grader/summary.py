@@ -1,7 +1,7 @@
 """How do the findings of a run become a grade, with its provenance and its times?"""
 
 import time
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
@@ -14,6 +14,7 @@ from grader.model.grade import Cause, CheckScore, Grade, Provenance, Timing
 from grader.model.stages import PARTS, Build, Rejected, Stop, Submission
 from grader.model.trials import Trial
 from grader.model.verdict import Evidence, Finding, Verdict
+from grader.options import Progress
 from grader.oracle.scenes import scenes_sha256
 from grader.run.trials import part_of
 from grader.sandbox.streams import DROPPED
@@ -23,8 +24,6 @@ from grader.tolerances import FACES_PER_LEAF
 from grader.verify.engine import Examiner
 from grader.verify.planned import kinds_of, planned_cases
 from grader.verify.tree import shape
-
-Progress = Callable[[str, int, int], None]
 
 
 class Summary:

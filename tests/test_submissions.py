@@ -18,7 +18,8 @@ from grader.certify.row import graded_row
 from grader.certify.sample import killers
 from grader.model.stages import Further
 from grader.model.verdict import Verdict
-from grader.pipeline import Options, grade_one
+from grader.options import Options
+from grader.pipeline import grade_one
 from grader.resources import reference_source
 from grader.score.rubric import load_rubric
 from grader.selection import select

@@ -84,8 +84,8 @@ def _pairs(pairs: Iterable[tuple[bytes, bytes]]) -> tuple[Call, ...]:
 def _placed(rows: list[bytes], read: _Read) -> Iterator[tuple[bytes, bytes]]:
     """Each row with the function it lies in, or the table; nothing if its name is not known.
 
-    A function ends at the last `.size` of its name: inline assembly can write labels and ends of
-    its own, but not take the compiler's away. What it puts around a row is listed besides.
+    A function ends at the last `.size` of its name: inline assembly can write labels and ends
+    of its own, but not take the compiler's away. What it puts around a row is listed besides.
     """
     ends = {end[1]: number for number, row in enumerate(rows) if (end := _END.match(row))}
     inside: dict[bytes, None] = {}

@@ -82,7 +82,9 @@ def compile_submission(submission: Submission, order: Compilation) -> Build:
         graded, small = pool.map(lambda each: workspace(compiler, each), (GRADED, SANITIZED))
         plain = pool.submit(_link, graded, work, GRADED.name)
         sanitizing = _sanitizing(pool, small, work)
-        graph = pool.submit(call_graph, graded, work) if Further.CALLS in order.further else None
+        graph = (
+            pool.submit(call_graph, graded, work) if Further.CALLS in order.further else None
+        )
         linked = plain.result()
         compiled = linked.library is not None
         if not compiled:
@@ -138,7 +140,7 @@ def _blame(framework: Workspace, work: Compilation) -> None:
     """Make sure that it is the submission that the compiler does not get through.
 
     Raises:
-        BuildFault: Our own solution does not compile now either: a full disk, or no process left.
+        BuildFault: Our own solution does not compile now either: a full disk, no process left.
     """
     own = Submission("reference", SOURCE_NAME, reference_source().read_bytes(), "")
     aside = prepared(own, replace(work, folder=work.folder / "control"))

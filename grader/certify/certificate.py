@@ -8,6 +8,7 @@ from grader.certify.corpus import Wrong, checkout, name_of
 from grader.certify.fates import FATES, Counts, share_caught, stored_counts
 from grader.certify.holes import Kind, full_marks, holes, without_killer
 from grader.certify.row import Row
+from grader.certify.seeds import stored_tried, tried_lines
 from grader.certify.smallest import smallest_lines, stored_smallest
 from grader.score.rubric import load_rubric
 
@@ -41,6 +42,13 @@ conditions, order, dropped statements, exchanged arguments.
   count by count, in every trial of a seed that did not grade it.
 - *Survived*: it keeps all points and returns something else.
 - *Explained*: one of the last two that is right; `tests/submissions/equivalents.toml` says why.
+
+"""
+
+SEEDS = """
+## More seeds
+
+What meshes and rays are drawn from must not matter. Stored by `bvhgrade certify --seeds N`.
 
 """
 
@@ -82,8 +90,9 @@ def certificate_file() -> Path:
 def certificate(rows: Sequence[Row], wrong: Sequence[Wrong]) -> str:
     """Word what the rows of the stored matrix say."""
     corpus = _summary(rows, wrong) + KILLERS + "".join(kill_lines(rows, wrong))
-    mutants = MUTANTS + "".join(mutant_lines(stored_counts()))
-    return BEGIN + corpus + SMALLEST + "".join(smallest_lines(stored_smallest())) + mutants
+    seeds = SEEDS + "".join(tried_lines(stored_tried()))
+    smallest = SMALLEST + "".join(smallest_lines(stored_smallest()))
+    return BEGIN + corpus + seeds + smallest + MUTANTS + "".join(mutant_lines(stored_counts()))
 
 
 def kill_lines(rows: Iterable[Row], wrong: Iterable[Wrong]) -> list[str]:

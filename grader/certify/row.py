@@ -1,5 +1,6 @@
 """What does the grader say of one submission of the corpus with one seed?"""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -7,7 +8,8 @@ from grader.certify.corpus import digest_of, name_of
 from grader.errors import GraderError
 from grader.model.grade import Grade
 from grader.model.verdict import Verdict
-from grader.pipeline import Options, grade_one
+from grader.options import Options
+from grader.pipeline import grade_with
 
 LONGEST = 300
 """Characters of a message that are kept."""
@@ -39,15 +41,25 @@ class Row:
 
 def graded_row(path: Path, seed: int) -> Row:
     """Grade one submission of the corpus."""
-    named = (name_of(path), digest_of(path), seed)
+    return graded_rows(path, (seed,))[0]
+
+
+def graded_rows(path: Path, seeds: Sequence[int]) -> list[Row]:
+    """Grade one submission of the corpus with several seeds; a row for each."""
+    name, digest = name_of(path), digest_of(path)
     try:
-        grade = grade_one(path, Options(seed, None, (), lambda *_: None))
+        grades = grade_with(path, Options(0, None, (), lambda *_: None), seeds)
     except GraderError as fault:
-        return Row(*named, (), (), (str(fault).splitlines()[0],))
+        broken = (str(fault).splitlines()[0],)
+        return [Row(name, digest, seed, (), (), broken) for seed in seeds]
+    return [_row(name, digest, seed, grade) for seed, grade in zip(seeds, grades, strict=True)]
+
+
+def _row(name: str, digest: str, seed: int, grade: Grade) -> Row:
     scores = tuple(part.score for part in grade.parts)
     failed, broken = _with(grade, Verdict.FAIL), _with(grade, Verdict.BROKEN)
     because = next((one.message for one in grade.checks if one.verdict is Verdict.FAIL), "")
-    return Row(*named, scores, failed, broken, because[:LONGEST])
+    return Row(name, digest, seed, scores, failed, broken, because[:LONGEST])
 
 
 def _with(grade: Grade, verdict: Verdict) -> tuple[str, ...]:

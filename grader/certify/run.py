@@ -8,7 +8,7 @@ from grader.certify.corpus import digest_of, name_of
 from grader.certify.fates import Studied
 from grader.certify.ledger import Ledger
 from grader.certify.mutants import Mutant
-from grader.certify.row import Row, graded_row
+from grader.certify.row import Row, graded_rows
 from grader.certify.study import study_or_none
 from grader.sandbox.crew import mapped
 
@@ -46,17 +46,26 @@ def certified_rows(work: Work, ledger: Ledger, tell: Callable[[Row], None]) -> l
         ledger: Where results are kept.
         tell: Called with each new row, at once.
     """
-    orders = [(path, seed) for seed in work.seeds for path in work.paths]
+    orders = [(path, seed) for path in work.paths for seed in work.seeds]
     waiting = orders if work.again else _undecided(orders, ledger)
     for attempt in range(ATTEMPTS):
-        for row in mapped(graded_row, waiting, 1 if attempt else work.jobs):
-            ledger.add(row)
-            tell(row)
+        for rows in mapped(graded_rows, _by_file(waiting), 1 if attempt else work.jobs):
+            for row in rows:
+                ledger.add(row)
+                tell(row)
         waiting = _undecided(waiting, ledger)
         if not waiting:
             break
     wanted = {_key(*order) for order in orders}
     return [row for row in ledger.rows() if (row.name, row.digest, row.seed) in wanted]
+
+
+def _by_file(orders: Iterable[tuple[Path, int]]) -> list[tuple[Path, tuple[int, ...]]]:
+    """Put the seeds of each file together, so that it is compiled once."""
+    seeds: dict[Path, tuple[int, ...]] = {}
+    for path, seed in orders:
+        seeds[path] = (*seeds.get(path, ()), seed)
+    return list(seeds.items())
 
 
 def studied_mutants(

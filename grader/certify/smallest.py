@@ -17,7 +17,8 @@ from grader.errors import GraderError
 from grader.model.cases import BuildCase, SourceCase
 from grader.model.grade import CheckScore
 from grader.model.verdict import Verdict
-from grader.pipeline import Options, grade_one
+from grader.options import Options
+from grader.pipeline import grade_one
 from grader.sandbox.crew import mapped
 from grader.verify import every_check
 

@@ -26,8 +26,9 @@ from grader.model.cases import Case, MemoryCase, SurvivalCase, WorkCase
 from grader.model.stages import Stop, Submission
 from grader.model.trials import RebuildTrial, Trial
 from grader.model.verdict import Verdict
+from grader.options import Options
 from grader.oracle.plan import deeper_trials, make_plan
-from grader.pipeline import Options, grade_one
+from grader.pipeline import grade_one
 from grader.resources import private_cache
 from grader.run.protocol import DATA_OFFSET
 from grader.run.requests import request

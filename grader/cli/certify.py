@@ -60,7 +60,8 @@ def certify(
 
     What this state of the grader has graded before is not graded again: a run that was killed
     goes on. The rows of seed 41 become tests/submissions/kill-matrix.csv, and what they
-    say is written to docs/certificate.md. A sample is compared with them, and writes neither.
+    say is written to docs/certificate.md, with a summary of all seeds. A sample is compared
+    with them, and writes neither.
 
     Exit status: 0 nothing speaks against the grader, 1 there is a hole or a difference.
     """
@@ -78,14 +79,14 @@ def certify(
         raise Exit(LOST_POINTS if undecided else FULL_MARKS)
     paths = asked_for(match, sample)
     rows = stored_rows(paths) if stored else graded_rows(paths, **given)
+    found = holes_of(rows, not match)
     if not sample:
         if not stored:
-            keep(rows)
+            keep(rows, found, not match)
         write_certificate()
-    found = print_holes(rows, not match)
-    if sample:
-        found |= print_differences(rows)
-    raise Exit(LOST_POINTS if found else FULL_MARKS)
+    print_holes(rows, found)
+    differs = sample and print_differences(rows)
+    raise Exit(LOST_POINTS if found or differs else FULL_MARKS)
 
 
 def asked_for(match: str, sample: bool) -> list[Path]:
@@ -136,13 +137,17 @@ def graded_rows(
     return rows
 
 
-def keep(rows: "Sequence[Row]") -> None:
-    """Put the decided rows of the matrix's seed into the stored matrix."""
+def keep(rows: "Sequence[Row]", found: "Sequence[Hole]", whole: bool) -> None:
+    """Store the decided rows of the matrix's seed, and the sum of a run over everything."""
     from grader.certify.corpus import every_submission, name_of
+    from grader.certify.ledger import grader_digest
     from grader.certify.matrix import SEED, store
+    from grader.certify.seeds import store_tried, tried
 
     decided = [row for row in rows if row.seed == SEED and not row.broken]
     store(decided, [name_of(path) for path in every_submission()])
+    if whole:
+        store_tried(tried(rows, found, grader_digest()))
 
 
 def write_certificate() -> None:
@@ -180,15 +185,19 @@ def print_differences(rows: "Sequence[Row]") -> bool:
     return bool(found)
 
 
-def print_holes(rows: "Sequence[Row]", whole: bool) -> bool:
-    """Tell what speaks against the grader; True if something does."""
+def holes_of(rows: "Sequence[Row]", whole: bool) -> "list[Hole]":
+    """Judge rows; those of the whole corpus also say which check has no killer."""
     from grader.certify.corpus import wrong_submissions
-    from grader.certify.holes import Kind, differing_seeds, holes, without_killer
+    from grader.certify.holes import holes, without_killer
 
     wrong = wrong_submissions()
-    found: list[Hole] = holes(rows, wrong)
-    if whole:
-        found += without_killer(rows, wrong)
+    return holes(rows, wrong) + (without_killer(rows, wrong) if whole else [])
+
+
+def print_holes(rows: "Sequence[Row]", found: "Sequence[Hole]") -> None:
+    """Tell what speaks against the grader, and which files are luckier with another seed."""
+    from grader.certify.holes import Kind, differing_seeds
+
     for kind in Kind:
         mine = [hole.sentence for hole in found if hole.kind is kind]
         click.echo(f"\n{len(mine)} {kind.value}")
@@ -196,4 +205,3 @@ def print_holes(rows: "Sequence[Row]", whole: bool) -> bool:
     luck = differing_seeds(rows)
     click.echo(f"\n{len(luck)} fail other checks with another seed (no hole)")
     click.echo("".join(f"  {name}\n" for name in luck), nl=False)
-    return bool(found)

@@ -184,7 +184,8 @@ def own_folder() -> Path:
 
 def graded(order: Order) -> Grade:
     """Run the pipeline with a bar that shows how far it is."""
-    from grader.pipeline import Options, grade_one
+    from grader.options import Options
+    from grader.pipeline import grade_one
 
     with shown_progress() as progress, interruptible():
         options = Options(

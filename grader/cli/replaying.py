@@ -16,7 +16,7 @@ def replayed(order: "Order", file: Path) -> int:
     """Run the submission on the input of a file, tell what comes of it, return the status."""
     from rich.console import Console
 
-    from grader.pipeline import Options
+    from grader.options import Options
     from grader.replay import replay
     from grader.report.replayed import print_replay
 

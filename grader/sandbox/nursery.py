@@ -8,7 +8,7 @@ at once get two boxes.
 import threading
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from dataclasses import replace
 from pathlib import Path
 from subprocess import Popen
@@ -44,14 +44,11 @@ class Nursery:
         trace: TracebackType | None,
     ) -> None:
         """End every box; nothing runs in one any more."""
-        with self._lock:
-            boxes = [kept for idle in self._idle.values() for kept in idle]
+        with ExitStack() as ending:
+            ending.callback(self._starter.shutdown)
+            for kept in (kept for idle in self._idle.values() for kept in idle):
+                ending.callback(kept.close)
             self._idle.clear()
-        try:
-            for kept in boxes:
-                kept.close()
-        finally:
-            self._starter.shutdown()
 
     def run(self, target: Target, box: Box, entry: Path, isolation: Isolation) -> Outcome:
         """Run a module in a box; see `confined`.

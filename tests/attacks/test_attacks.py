@@ -21,7 +21,8 @@ from grader.build.workspace import GRADED
 from grader.errors import BuildFault
 from grader.model.stages import Ending, Stop
 from grader.model.verdict import Verdict
-from grader.pipeline import Options, grade_one
+from grader.options import Options
+from grader.pipeline import grade_one
 from grader.resources import reference_source
 from grader.run import trials
 from grader.run.session import run_job

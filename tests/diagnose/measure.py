@@ -15,7 +15,8 @@ from pathlib import Path
 
 from grader.certify.corpus import corpus_folder, digest_of, name_of, wrong_submissions
 from grader.certify.matrix import FAILED, SEED, stored_lines
-from grader.pipeline import Options, grade_one
+from grader.options import Options
+from grader.pipeline import grade_one
 from tests.diagnose.table import misconceptions
 
 CAUSES = corpus_folder() / "causes.csv"

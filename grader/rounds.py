@@ -1,0 +1,130 @@
+"""In which rounds do the trials of a submission run, and what does one decide for the next?"""
+
+import time
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from grader.counterexample.search import Search, with_counterexamples
+from grader.model.cases import Case, DepthCase, WorkCase
+from grader.model.grade import Grade, Rubric
+from grader.model.stages import Build, Submission
+from grader.model.trials import AlteredTrial, ImageTrial, Trial, WorkTrial
+from grader.options import Options
+from grader.oracle.plan import deeper_trials, depth_trial
+from grader.run.trials import LARGE_MESH, Budget, Engines, part_of, run_trials
+from grader.solution import Solution
+from grader.summary import Summary
+from grader.verify.structure import deepest_level, ends_at_the_limit
+
+_RESERVE = 0.15
+"""Share of the time limit that is kept for judging what the last workers brought."""
+
+LARGE_PICTURE = 100_000
+"""A mesh of more faces is not tried where `intersect` has been seen to test most of them."""
+
+
+def waves(trials: Sequence[Trial]) -> tuple[list[Trial], list[Trial]]:
+    """Part a and what shows quickly whether `intersect` uses the tree, then all the rest."""
+    first = [
+        trial
+        for trial in trials
+        if part_of(trial) == "a"
+        or isinstance(trial, AlteredTrial)
+        or (isinstance(trial, WorkTrial) and len(trial.mesh.faces) <= LARGE_MESH)
+    ]
+    chosen = {trial.name for trial in first}
+    return first, [trial for trial in trials if trial.name not in chosen]
+
+
+def hopeful(trial: Trial, summary: Summary) -> bool:
+    """Tell whether a trial of part b can still earn something in bearable time.
+
+    Without the tree nothing in part b counts; and where most triangles are tested for every
+    ray, a large mesh takes hours.
+    """
+    if summary.closed("work.uses-the-tree"):
+        return False
+    large = isinstance(trial, ImageTrial | WorkTrial) and len(trial.mesh.faces) > LARGE_PICTURE
+    return not (large and summary.failed("work.excludes-most-triangles"))
+
+
+class Rounds:
+    """The workers of one submission, and what only the order of trials can decide."""
+
+    def __init__(
+        self,
+        engines: Engines,
+        solution: Solution,
+        rubric: Rubric,
+        options: Options,
+        elapsed: float,
+    ) -> None:
+        """Begin.
+
+        Args:
+            engines: The builds of the submission.
+            solution: Ours.
+            rubric: What is scored, within which limits.
+            options: How to grade.
+            elapsed: Wall seconds of the grade so far.
+        """
+        limit = options.most_seconds(rubric.limits)
+        self._engines = engines
+        self._budget = Budget(rubric.limits, limit - _RESERVE * limit - elapsed)
+        self._solution = solution
+        self._rubric = rubric
+        self._options = options
+        self.small_depths: list[DepthCase] = []
+        """Trees of the sanitized build, which say something only if they end at its limit."""
+
+    def cases(self, trials: Sequence[Trial]) -> Iterator[Case]:
+        """Run trials and yield what checks may look at, in the order of the trials."""
+        reference = self._solution.cpu_seconds(trials)
+
+        def progress(done: int, total: int) -> None:
+            self._options.progress("running", done, total)
+
+        for delivered in run_trials(trials, self._engines, self._budget, progress):
+            for case in delivered:
+                if isinstance(case, DepthCase) and case.trial.sanitized:
+                    self.small_depths.append(case)
+                elif isinstance(case, WorkCase):
+                    yield replace(case, reference_cpu_seconds=reference[case.name])
+                else:
+                    yield case
+
+    def grade(
+        self, summary: Summary, given: Submission, build: Build, trials: Sequence[Trial]
+    ) -> Grade:
+        """Score what was found, and look for small inputs in what is left of the time."""
+        grade = summary.grade(given, build, trials)
+        if not self._options.counterexamples:
+            return grade
+        limit = self._options.most_seconds(self._rubric.limits)
+        left = limit - _RESERVE / 3 * limit - summary.elapsed()
+        deadline, hidden = time.monotonic() + left, not self._options.for_student
+        search = Search(trials, self._engines, self._solution, deadline, hidden)
+        with summary.stage("looking for small examples"):
+            grade = with_counterexamples(grade, search)
+        return replace(grade, timing=summary.timing(build))
+
+    def further_trials(self) -> Sequence[Trial]:
+        """Ask for the mesh of four million faces if small ones could not show the depth limit.
+
+        A submission that says 20 instead of `maxDepth` is right, but does not see the smaller
+        limit of the sanitized build.
+        """
+        wanted = any(one.check == "bvh.depth-is-limited" for one in self._rubric.criteria)
+        small = self.small_depths
+        if not wanted or (small and all(ends_at_the_limit(case) for case in small)):
+            return ()
+        return (depth_trial(self._options.seed),)
+
+    def deeper_trials(self, summary: Summary) -> Sequence[Trial]:
+        """Ask for a tree of level 20 where the submission's own trees have that level.
+
+        Those of a submission that counts the root as level 1 end before, and it may rely on it.
+        """
+        reached = any(deepest_level(case) == case.max_depth for case in self.small_depths)
+        deeper = deeper_trials(self._options.seed) if reached else ()
+        return [trial for trial in deeper if hopeful(trial, summary)]
