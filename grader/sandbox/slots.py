@@ -31,6 +31,7 @@ PATIENCE_SECONDS = 2.0
 """How long killed processes may take to be gone; after that another number is taken."""
 
 _UID = re.compile(r"^Uid:\t(\d+)", re.MULTILINE)
+_STATE = re.compile(r"^State:\t(\w)", re.MULTILINE)
 
 
 @contextmanager
@@ -88,28 +89,47 @@ def _free_slot() -> tuple[int, int]:
 
 
 def _ended(uid: int) -> bool:
-    """End every process of a user; tells whether none is left."""
+    """End every process of a user; tells whether none is left.
+
+    One that has ended counts until its parent takes note. If that is us, because we adopted
+    it, we do; else nobody knows when it will be, and another number is there at once.
+    """
     deadline = time.monotonic() + PATIENCE_SECONDS
-    while left := [pid for pid in _numbers() if _user_of(pid) == uid]:
-        if time.monotonic() > deadline:
+    while left := _processes_of(uid):
+        running = [pid for pid, is_zombie in left.items() if not is_zombie]
+        adopted = [pid for pid, is_zombie in left.items() if is_zombie and _reaped(pid)]
+        if not (running or adopted) or time.monotonic() > deadline:
             return False
-        for pid in left:
+        for pid in running:
             _kill(pid, uid)
-        time.sleep(0.01)
+        if not adopted:
+            time.sleep(0.01)
     return True
 
 
-def _numbers() -> list[int]:
-    return [int(entry.name) for entry in os.scandir("/proc") if entry.name.isdecimal()]
+def _processes_of(uid: int) -> dict[int, bool]:
+    """Processes of a user, and whether each has ended already."""
+    numbers = [int(entry.name) for entry in os.scandir("/proc") if entry.name.isdecimal()]
+    facts = {pid: _user_and_state(pid) for pid in numbers}
+    return {pid: state == "Z" for pid, (user, state) in facts.items() if user == uid}
 
 
-def _user_of(pid: int) -> int:
-    """Real user id of a process; -1 if it is gone."""
+def _user_and_state(pid: int) -> tuple[int, str]:
+    """Real user id of a process and the letter of its state; -1 and nothing if it is gone."""
     try:
-        found = _UID.search(Path(f"/proc/{pid}/status").read_text(errors="replace"))
+        text = Path(f"/proc/{pid}/status").read_text(errors="replace")
     except OSError:
-        return -1
-    return int(found[1]) if found else -1
+        return -1, ""
+    user, state = _UID.search(text), _STATE.search(text)
+    return (int(user[1]), state[1]) if user and state else (-1, "")
+
+
+def _reaped(pid: int) -> bool:
+    """Take note of the end of a process, if it is our child."""
+    try:
+        return os.waitpid(pid, os.WNOHANG)[0] == pid
+    except ChildProcessError:
+        return False
 
 
 def _kill(pid: int, uid: int) -> None:
@@ -117,7 +137,7 @@ def _kill(pid: int, uid: int) -> None:
         handle = os.pidfd_open(pid)
         try:
             # The number may have become a stranger's since it was read.
-            if _user_of(pid) == uid:
+            if _user_and_state(pid)[0] == uid:
                 signal.pidfd_send_signal(handle, signal.SIGKILL)
         finally:
             os.close(handle)

@@ -1,16 +1,16 @@
 """Each box has a user of its own, as long as there are any."""
 
 import os
-import signal
 import subprocess
-import threading
 from pathlib import Path
 
 import pytest
 
 from grader.errors import WorkerFault
 from grader.sandbox import slots
+from grader.sandbox.reaping import adopt_orphans
 from grader.sandbox.slots import SLOTS, own_user
+from tests.sandbox.census import state_of
 
 UID = slots.FIRST_UID + SLOTS
 """Just beyond the users of submissions."""
@@ -56,32 +56,54 @@ def test_too_many_graders_are_told(monkeypatch: pytest.MonkeyPatch, tmp_path: Pa
 def test_what_outlived_a_killed_grader_is_ended(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    """Its lock file is not empty: a process of that user would count against the next one."""
+    """Its lock file is not empty: a process of that user would count against the next one.
+
+    Ended and nobody's child, it is ours, and would count for ever if we took no note.
+    """
     monkeypatch.setattr(slots, "is_root", lambda: True)
     monkeypatch.setattr(slots, "FOLDER", tmp_path)
     # A user of no box, or our own process would be ended too.
-    orphan = subprocess.Popen(["sleep", "600"], user=UID if os.geteuid() == 0 else None)
-    monkeypatch.setattr(slots, "_numbers", lambda: [orphan.pid])
-    monkeypatch.setattr(slots, "FIRST_UID", UID if os.geteuid() == 0 else os.geteuid())
+    user = UID if os.geteuid() == 0 else os.geteuid()
+    monkeypatch.setattr(slots, "FIRST_UID", user)
+    orphan = orphan_of(user)
+    processes = slots._processes_of
+    monkeypatch.setattr(
+        slots,
+        "_processes_of",
+        lambda uid: {pid: told for pid, told in processes(uid).items() if pid == orphan},
+    )
     with own_user():
         assert (tmp_path / "0").read_bytes() == b"in use"
-        assert orphan.poll() is None
+        assert state_of(orphan) not in {"", "Z"}
     assert (tmp_path / "0").read_bytes() == b""
     (tmp_path / "0").write_bytes(b"in use")
-    threading.Thread(target=orphan.wait).start()
-    with own_user():
-        assert orphan.wait() == -signal.SIGKILL
+    with own_user() as given:
+        assert given == user
+        assert state_of(orphan) == ""
 
 
+def orphan_of(user: int) -> int:
+    """Start a process that this one adopts."""
+    adopt_orphans()
+    said = subprocess.run(
+        ["/bin/sh", "-c", "sleep 600 >/dev/null & echo $!"],
+        user=user if os.geteuid() == 0 else None,
+        capture_output=True,
+        check=True,
+    )
+    return int(said.stdout)
+
+
+@pytest.mark.parametrize("is_zombie", [False, True])
 def test_a_user_whose_processes_stay_is_passed_over(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, is_zombie: bool
 ) -> None:
-    """Whatever cannot be killed keeps its number; the next one is taken."""
+    """What cannot be killed keeps its number, and so does what another has to reap."""
     monkeypatch.setattr(slots, "is_root", lambda: True)
     monkeypatch.setattr(slots, "FOLDER", tmp_path)
-    monkeypatch.setattr(slots, "PATIENCE_SECONDS", 0.05)
-    monkeypatch.setattr(slots, "_numbers", lambda: [os.getpid()])
-    monkeypatch.setattr(slots, "_user_of", lambda _: slots.FIRST_UID)
+    # Nobody waits for what is over already.
+    monkeypatch.setattr(slots, "PATIENCE_SECONDS", 3600.0 if is_zombie else 0.05)
+    monkeypatch.setattr(slots, "_processes_of", lambda _: {os.getppid(): is_zombie})
     monkeypatch.setattr(slots, "_kill", lambda *_: None)
     (tmp_path / "0").write_bytes(b"in use")
     with own_user() as user:
