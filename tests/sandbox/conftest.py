@@ -3,6 +3,7 @@
 import os
 import tempfile
 from collections.abc import Generator
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -10,6 +11,15 @@ import pytest
 from grader.sandbox.box import Isolation
 from grader.sandbox.selftest import proved_isolation
 from tests.sandbox.boxes import LEVELS
+from tests.sandbox.census import zombies
+
+
+@pytest.fixture(autouse=True)
+def nothing_of_others() -> None:
+    """Reap what earlier tests of this process left: what they killed has orphaned it to us."""
+    for pid in zombies():
+        with suppress(ChildProcessError):
+            os.waitpid(pid, os.WNOHANG)
 
 
 @pytest.fixture(params=LEVELS)

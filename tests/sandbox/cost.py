@@ -52,7 +52,7 @@ def main() -> None:
                 taken[name].append(_seconds(engine))
         for name, seconds in taken.items():
             middle, least = statistics.median(seconds) * 1000, min(seconds) * 1000
-            print(f"{name:22} median {middle:5.1f} ms, least {least:5.1f} ms")  # noqa: T201
+            print(f"{name:22} median {middle:5.1f} ms, least {least:5.1f} ms")  # noqa: T201 - its result
 
 
 def _seconds(engine: Engine) -> float:
