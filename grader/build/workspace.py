@@ -87,12 +87,13 @@ def workspace(compiler: Compiler, flavour: Flavour) -> Workspace:
     folder = resources.shared_cache("framework") / _key(stub, compiler, flavour)
     stamp = folder / "complete"
     with _locked(folder.with_suffix(".lock")):
-        if not stamp.exists():
+        # Its commands name the folder, so one that was moved is of no use.
+        if not stamp.exists() or stamp.read_text() != str(folder):
             shutil.rmtree(folder, ignore_errors=True)
             _compile_framework(stub, folder, compiler, flavour)
             _precompile(folder, compiler, flavour)
             _let_all_read(folder)
-            stamp.touch()
+            stamp.write_text(str(folder))
     return _read_commands(folder)
 
 

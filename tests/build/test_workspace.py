@@ -88,6 +88,19 @@ def test_a_build_that_was_interrupted_is_built_again(tmp_path: Path) -> None:
     assert not (stamp.parent / "left over").exists()
 
 
+@pytest.mark.usefixtures("tiny_stub")
+def test_a_cache_that_was_moved_is_built_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What is stored names the folder that it was in."""
+    made()
+    (tmp_path / "cache").rename(tmp_path / "moved")
+    monkeypatch.setenv("BVHGRADE_CACHE", str(tmp_path / "moved"))
+    assert made().folder.is_relative_to(tmp_path / "moved")
+    (stamp,) = stamps(tmp_path / "moved")
+    assert stamp.read_text() == str(stamp.parent)
+
+
 def test_every_change_of_the_stub_makes_a_new_framework(
     tiny_stub: Path, tmp_path: Path
 ) -> None:
