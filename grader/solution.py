@@ -1,7 +1,6 @@
 """What our own solution says: its trees, and the time that it takes for a trial."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 from grader.build.reference import reference_library
@@ -34,15 +33,11 @@ GENEROUS = Limits(
 """The reference is ours: these limits only end a machine's bad day."""
 
 
-@dataclass(slots=True)
-class _Kept:
-    """The last plan, and what it was drawn from."""
+MOST_PLANS = 12
+"""How many plans stay in memory. One has 60 MB, and only who certifies needs more than one."""
 
-    key: tuple[int, Path, str] | None
-    plan: Plan
-
-
-_kept = _Kept(None, Plan((), ()))
+_kept: dict[tuple[int, Path, str], Plan] = {}
+"""The last plans, by what they were drawn from."""
 
 
 class Solution:
@@ -60,19 +55,20 @@ class Solution:
         return [self._tree(mesh) for mesh in meshes]
 
     def plan(self, seed: int) -> Plan:
-        """Draw the trials of a seed, with our trees in them; the last plan is kept in memory.
+        """Draw the trials of a seed, with our trees in them; the last plans are kept in memory.
 
-        It says nothing of a submission, so whoever grades a second one need not draw it again.
+        They say nothing of a submission, so whoever grades a second one need not draw again.
 
         Raises:
             OracleFault: A stored mesh or picture is missing, damaged or stale.
             MissingTool: embreex is not installed.
         """
         key = (seed, self._library, scenes_sha256())
-        if _kept.key != key:
-            _kept.plan = kept_plan(seed, self.trees, self._library.name)
-            _kept.key = key
-        return _kept.plan
+        if key not in _kept:
+            while len(_kept) >= MOST_PLANS:
+                del _kept[next(iter(_kept))]
+            _kept[key] = kept_plan(seed, self.trees, self._library.name)
+        return _kept[key]
 
     def fresh_trees(self, meshes: Sequence[Mesh]) -> list[Bvh]:
         """Build the reference's trees of small meshes in one process, past the cache.
