@@ -91,7 +91,6 @@ class KeptBox:
             Interrupted: The grader is being stopped.
         """
         self._held = ExitStack()
-        self._level = isolation.level
         try:
             level = self._held.enter_context(settled(box, isolation))
             self._control, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
