@@ -37,6 +37,9 @@ ROUNDS = 6
 PIXELS = 4096
 """Rays of a picture that are tried first."""
 
+BEFORE = (0, 1, 7, 63)
+"""Rays before one that fails: what a submission remembers of them may be its mistake."""
+
 SINGLES = 256
 """Rays that are tried one by one."""
 
@@ -113,15 +116,17 @@ class Narrowing:
         return cut[0]
 
     def _one_ray(self, trial: TraceTrial | ImageTrial) -> Tracing:
-        """Find a ray that fails alone."""
+        """Find a ray that fails alone, or after few others."""
         if self._probe.dies:
             return self._first_of(trial, singles(trial))
-        count = len(trial.rays.t_min)
-        thinned = np.unique(np.linspace(0, count - 1, min(count, PIXELS)).astype(np.int64))
-        chosen = self._probe.wrong_ray(cut_rays(trial, thinned))
-        if chosen is None:
-            return trial
-        return self._first_of(trial, [cut_rays(trial, thinned[chosen : chosen + 1])])
+        every = np.arange(len(trial.rays.t_min))
+        # A mistake that most pixels show is found sooner among few of them.
+        for rays in [every[:: every.size // PIXELS], every] if every.size > PIXELS else [every]:
+            chosen = self._probe.wrong_ray(cut_rays(trial, rays))
+            if chosen is not None:
+                ends = (rays[max(0, chosen - before) : chosen + 1] for before in BEFORE)
+                return self._first_of(trial, [cut_rays(trial, end) for end in ends])
+        return trial
 
     def _work(self, trial: WorkTrial) -> Tracing:
         """Few rays, then few faces, then one ray, then fewer faces."""

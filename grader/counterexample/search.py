@@ -32,7 +32,7 @@ CROWDED = 10
 STARTS = 2
 """The smallest of the failing cases that are tried; the second if the first fails no more."""
 
-LARGEST_START = 20_000
+LARGEST_START = 25_000
 """Faces of a case that is tried: sending a larger one to a process takes all of the time."""
 
 MOST_FACES, MOST_RAYS = 1_000, 1_500

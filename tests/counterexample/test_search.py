@@ -15,7 +15,7 @@ from grader.counterexample.search import Search, counterexample, with_counterexa
 from grader.counterexample.written import to_text
 from grader.model.counterexample import Counterexample
 from grader.model.stages import Stop
-from grader.model.trials import ConstructTrial, TraceTrial, Trial
+from grader.model.trials import ConstructTrial, ImageTrial, TraceTrial, Trial
 from grader.model.verdict import Verdict
 from grader.oracle.balanced import balanced_tree
 from grader.oracle.brute import answers
@@ -134,3 +134,27 @@ def test_inputs_of_hidden_checks_are_not_looked_for(last_hit: Engine) -> None:
     """A student's own run keeps what the rubric hides."""
     trials = [traced()]
     assert searched(last_hit, "hits.closest-wins", trials, visibility="hidden") is None
+
+
+def pictured() -> list[Trial]:
+    """Take the smallest picture of a plan: 65,536 pixels of nested spheres."""
+    plan = Solution().plan(41)
+    found = (each for each in plan.trials if isinstance(each, ImageTrial))
+    return [min(found, key=lambda each: len(each.mesh.faces))]
+
+
+def test_a_rare_pixel_needs_few_faces_and_one_ray(last_hit: Engine) -> None:
+    """Among every sixteenth pixel there is none that is wrong."""
+    found = searched(last_hit, "image.equals-mitsuba", pictured())
+    assert found
+    assert (found.found_in, found.rays) == ("nested", 1)
+    assert found.faces <= 9
+
+
+@pytest.mark.usefixtures("cache")
+def test_a_pixel_that_is_wrong_after_another_needs_both(tmp_path: Path) -> None:
+    """Alone it is right: what the submission remembers of the ray before is its mistake."""
+    forgetful = engine("same-face-as-the-pixel-before", tmp_path)
+    found = searched(forgetful, "image.equals-mitsuba", pictured())
+    assert found
+    assert found.rays == 2
