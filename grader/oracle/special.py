@@ -118,6 +118,24 @@ def through_edges(stage: Stage, count: int) -> Rays:
     return beams(origin, unit((corners[:, 1] + corners[:, 2]) / 2 - origin))
 
 
+def just_inside(stage: Stage, count: int) -> Rays:
+    """Straight down to a point as close to an edge as a sure hit can be.
+
+    Who demands that all weights of a hit exceed 1e-5 leaves cracks of that width.
+    """
+    face = drawn_faces(stage, count)
+    corners = corners_at(stage, face)
+    away = stage.rng.uniform(*CLOSE, count)
+    along = stage.rng.uniform(0.3, 0.7, count)
+    weights = np.stack([away, (1 - away) * along, (1 - away) * (1 - along)], axis=1)
+    turned = (np.arange(3) + stage.rng.integers(3, size=(count, 1))) % 3
+    weights = np.take_along_axis(weights, turned, axis=1)
+    target = np.einsum("kc,kcx->kx", weights, corners)
+    length = np.linalg.norm(corners[:, 1] - corners[:, 0], axis=1, keepdims=True)
+    down = -normals_of(stage, face)
+    return beams(target - HEIGHT * length * down, down)
+
+
 def grazing(stage: Stage, count: int) -> Rays:
     """To a point on a face, within 1e-4 to 1e-1 of its plane."""
     face = drawn_faces(stage, count)
@@ -149,7 +167,14 @@ SCALES = (-6.0, 6.0)
 IN_A_ROW = 3
 """So often the same ray comes with different limits."""
 
-FAR = (0.3, 3.0)
+CLOSE = (0.8e-5, 0.95e-5)
+"""Weights of the corner across an edge: less than 1e-5, and more than the rule of closest hits
+leaves open on faces that are not small against their distance from the world's origin."""
+
+HEIGHT = 0.3
+"""Lengths of an edge from which a face is looked at, so that t is short and well known."""
+
+FAR = (2.5, 3.0)
 """Powers of ten between which distances are drawn, in radii, from which axes are followed.
 
 At 1000 radii 1e-5 instead of 0 leads a hundredth of the radius astray, fifteen times what the
@@ -167,6 +192,7 @@ SPECIAL = {
     "in-slab-planes": in_slab_planes,
     "through-vertex": through_vertices,
     "through-edge": through_edges,
+    "just-inside": just_inside,
     "grazing": grazing,
     "silhouette": silhouette,
 }

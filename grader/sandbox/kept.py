@@ -51,6 +51,15 @@ class NotReached(GraderError):
     """Our own part failed before anything foreign ran, for the reason in the text."""
 
 
+class BoxLost(GraderError):
+    """The box ended while a target ran in it, which a target cannot bring about by itself."""
+
+    def __init__(self, outcome: Outcome) -> None:
+        """Keep what is known of the target."""
+        super().__init__("the box of a process was ended from outside")
+        self.outcome = outcome
+
+
 @dataclass(slots=True)
 class _Case:
     """One target in a box, as far as it has come."""
@@ -128,6 +137,7 @@ class KeptBox:
 
         Raises:
             NotReached: Our own part failed before the target began.
+            BoxLost: Somebody ended the box, and the target with it.
             WorkerFault: It does not end although it was killed.
         """
         with _pipe() as out, _pipe() as err:
@@ -151,7 +161,10 @@ class KeptBox:
             raise NotReached(kept[1].decode(errors="replace").strip()[-500:])
         # Its end may have crossed the word that its time was over.
         timed_out = case.stopped and code == _KILLED
-        return Outcome(code, timed_out, kept[0], kept[1], lasted, seconds, case.delayed)
+        ended = Outcome(code, timed_out, kept[0], kept[1], lasted, seconds, case.delayed)
+        if not self.alive:
+            raise BoxLost(ended)
+        return ended
 
     def _watch(
         self, case: _Case, target: Target, streams: Sequence[Stream]

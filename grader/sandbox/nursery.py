@@ -17,7 +17,7 @@ from typing import Self
 
 from grader.errors import WorkerFault
 from grader.sandbox.box import Box, Isolation, Level
-from grader.sandbox.kept import KeptBox, NotReached
+from grader.sandbox.kept import BoxLost, KeptBox, NotReached
 from grader.sandbox.launch import Order, Outcome, begin
 from grader.sandbox.target import ATTEMPTS, Target
 
@@ -60,13 +60,19 @@ class Nursery:
         """
         seconds = box.bounds.cpu_seconds
         box = replace(box, bounds=replace(box.bounds, cpu_seconds=0))
-        said = ""
+        lost, said = None, ""
         for attempt in range(ATTEMPTS):
             try:
                 with self._lent(target, box, entry, isolation, fresh=attempt > 0) as kept:
                     return kept.run(target, seconds)
             except NotReached as fault:
                 said = str(fault)
+            except BoxLost as fault:
+                lost = fault.outcome
+        if lost and not said:
+            # What ended two boxes is the target after all: a machine without memory ends who
+            # takes most of it.
+            return lost
         raise WorkerFault(f"a process could not be confined ({isolation.level.value}): {said}")
 
     @contextmanager

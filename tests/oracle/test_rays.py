@@ -146,6 +146,18 @@ def test_borders_are_met_within_rounding(name: str) -> None:
     assert family(name, "cloud-1")[2].mean() > 0.95
 
 
+def test_close_to_an_edge_a_hit_is_still_sure() -> None:
+    """No right test misses these on a large face; one that wants weights of 1e-5 does."""
+    mesh, _ = planted("cloud-1")
+    rays, hits, _ = family("just-inside", "cloud-1")
+    corners = mesh.vertices[mesh.faces[0]].astype(np.float64)
+    normal = np.cross(corners[1] - corners[0], corners[2] - corners[0])
+    t = (corners[0] - rays.origin) @ normal / (rays.direction @ normal)
+    points = rays.origin + t[:, None] * rays.direction
+    least = np.linalg.solve(corners.T, points.T).min(axis=0)
+    assert (hits & (least > 0) & (least < 1e-5)).mean() > 0.5
+
+
 def test_another_seed_draws_other_rays() -> None:
     """The same seed draws the same rays bit by bit."""
     mesh, tree = planted("cloud-5")

@@ -158,7 +158,11 @@ ready, tell = os.pipe()
 outcomes = []
 code = "os.write(int(arguments[0]), b'x')\\ntime.sleep(600)"
 given = Given(seconds=900.0, descriptors=(tell,), readable=(Path(sys.argv[2]),))
-run = lambda: outcomes.append(as_worker(isolation, code, given))
+def run():
+    try:
+        outcomes.append(as_worker(isolation, code, given))
+    except Interrupted as fault:
+        outcomes.append(fault)
 threads = [threading.Thread(target=run) for _ in range(2)]
 for each in threads: each.start()
 for each in threads: os.read(ready, 1)
@@ -166,7 +170,7 @@ print("running", flush=True)
 sys.stdin.readline()
 stop_everything()
 for each in threads: each.join()
-print([outcome.code for outcome in outcomes])
+print(*outcomes, sep="\\n")
 try:
     as_worker(isolation, "pass")
 except Interrupted as fault:
@@ -196,7 +200,7 @@ def test_everything_can_be_stopped(
     """Boxes that run end at once, and no other begins."""
     process = grader(isolation, open_folder / token, cache)
     said, _ = process.communicate("\n")
-    assert said.splitlines() == ["[-9, -9]", "the grader was asked to stop"]
+    assert said.splitlines() == ["the grader was asked to stop"] * 3
     assert with_word(token) == set()
 
 

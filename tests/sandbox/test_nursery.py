@@ -195,20 +195,32 @@ def test_a_box_that_is_gone_is_replaced(
     assert len(boxes) == 2
 
 
-def test_a_case_ends_with_its_box(isolation: Isolation, own: Nursery, boxes: list[int]) -> None:
-    """It ran, so it is not run again; the next one gets a new box."""
-    code = "os.write(int(arguments[0]), b'x'); time.sleep(600)"
+@pytest.mark.parametrize(("lost", "ending"), [(1, (0, b"2\n")), (2, (-signal.SIGKILL, b""))])
+def test_a_case_whose_box_is_ended_is_run_once_more(
+    isolation: Isolation, own: Nursery, boxes: list[int], lost: int, ending: tuple[int, bytes]
+) -> None:
+    """Once it can be somebody else's fault; what ends two boxes is the case's own."""
     begun, tell = os.pipe()
+    pace, set_pace = os.pipe()
+    lines = """
+again = os.read(int(arguments[1]), 1) == b"s"
+os.write(int(arguments[0]), b"x")
+if again: time.sleep(600)
+print(2)
+"""
+    os.write(set_pace, b"s" * lost + b"g")
+    given = Given(descriptors=(tell, pace))
     with ThreadPoolExecutor(1) as pool:
-        running = pool.submit(ran, isolation, own, code, Given(descriptors=(tell,)))
-        assert os.read(begun, 1) == b"x"
-        os.kill(boxes[0], signal.SIGKILL)
+        running = pool.submit(ran, isolation, own, lines, given)
+        for box in range(lost):
+            assert os.read(begun, 1) == b"x"
+            os.kill(boxes[box], signal.SIGKILL)
         outcome = running.result()
-    os.close(begun)
-    os.close(tell)
-    assert (outcome.code, outcome.timed_out) == (-signal.SIGKILL, False)
-    assert ran(isolation, own, "print(2)").out == b"2\n"
-    assert len(boxes) == 2
+    for each in (begun, tell, pace, set_pace):
+        os.close(each)
+    assert (outcome.code, outcome.out) == ending
+    assert not outcome.timed_out
+    assert ran(isolation, own, "print(3)").out == b"3\n"
 
 
 def children(pid: int) -> list[str]:
