@@ -8,7 +8,6 @@ come back as views of the bytes that were read. Only the kinds of records that a
 come back, and nothing in a file is ever run.
 """
 
-import hashlib
 import json
 from collections.abc import Sequence
 from dataclasses import fields
@@ -19,27 +18,24 @@ import numpy.typing as npt
 
 from grader.model.mesh import Answers, Bvh, Bytes, Mesh, Rays
 from grader.model.trials import Trial
+from grader.oracle.hashed import DIGEST, Piece, hashed, unbroken
 
 RECORDS = {kind.__name__: kind for kind in (Mesh, Rays, Bvh, Answers, *get_args(Trial))}
 ALIGNMENT = 64
-DIGEST = hashlib.sha256().digest_size
 LENGTH = 8
 """Bytes of the length of the index."""
 
 
-def sealed(value: object) -> list[bytes | memoryview]:
+def sealed(value: object) -> list[Piece]:
     """Turn records, arrays, plain values and tuples of them into the pieces of a file."""
     index = _Index()
     whole = index.entry(value)
     text = json.dumps([index.places, index.records, whole]).encode()
-    pieces: list[bytes | memoryview] = [len(text).to_bytes(LENGTH, "little"), text]
+    pieces: list[Piece] = [len(text).to_bytes(LENGTH, "little"), text]
     pieces.append(bytes(-(DIGEST + LENGTH + len(text)) % ALIGNMENT))
     for array in index.arrays:
         pieces += [array.reshape(-1).view(np.uint8).data, bytes(-array.nbytes % ALIGNMENT)]
-    digest = hashlib.sha256()
-    for piece in pieces:
-        digest.update(piece)
-    return [digest.digest(), *pieces]
+    return hashed(pieces)
 
 
 def unsealed(content: Bytes) -> Any:  # noqa: ANN401 - whatever was sealed
@@ -48,9 +44,9 @@ def unsealed(content: Bytes) -> Any:  # noqa: ANN401 - whatever was sealed
     Args:
         content: (n,) uint8, the file; nobody may write to it any more.
     """
-    body = content[DIGEST:]
-    if body.size < LENGTH or hashlib.sha256(body.data).digest() != content[:DIGEST].tobytes():
+    if unbroken(content.data) is None:
         return None
+    body = content[DIGEST:]
     content.setflags(write=False)
     length = int.from_bytes(body[:LENGTH].tobytes(), "little")
     places, records, whole = json.loads(body[LENGTH : LENGTH + length].tobytes())

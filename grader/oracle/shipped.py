@@ -8,7 +8,6 @@ because the candidates give them. A file that is not whole or belongs to somethi
 as absent, and the answers are computed: nothing but time depends on the file.
 """
 
-import hashlib
 import io
 from collections.abc import Mapping
 from pathlib import Path
@@ -21,6 +20,7 @@ from grader.errors import OutputFault
 from grader.model.mesh import Answers, Bvh, Bytes, Doubles, Mesh
 from grader.model.scene import Reference
 from grader.oracle.brute import RULE_VERSION, Candidates, answers, nearest
+from grader.oracle.hashed import hashed, unbroken
 from grader.oracle.remember import digest_of, hash_of, remember
 from grader.oracle.storage import packed, unpacked
 from grader.tolerances import (
@@ -34,7 +34,6 @@ from grader.tolerances import (
 )
 
 Arrays = Mapping[str, npt.NDArray[Any]]
-DIGEST = hashlib.sha256().digest_size
 FORMAT = 1
 """Goes up with every change in what the arrays of a file mean."""
 
@@ -119,14 +118,13 @@ def deflated(arrays: Arrays) -> bytes:
     """Turn arrays into the bytes of a file, which begin with a hash of the rest."""
     body = io.BytesIO()
     np.savez_compressed(body, **dict(arrays))  # type: ignore[arg-type]  # numpy's stub takes no mapping
-    content = body.getvalue()
-    return hashlib.sha256(content).digest() + content
+    return b"".join(hashed([body.getvalue()]))
 
 
 def _inflated(content: bytes) -> Arrays | None:
     """Undo `deflated`; None if the bytes are not whole."""
-    body = memoryview(content)[DIGEST:]
-    if hashlib.sha256(body).digest() != content[:DIGEST]:
+    body = unbroken(content)
+    if body is None:
         return None
     with np.load(io.BytesIO(body), allow_pickle=False) as stored:
         return {name: stored[name] for name in stored.files}
