@@ -28,6 +28,7 @@ from grader.errors import GraderError
 from grader.model.verdict import Verdict
 from grader.resources import reference_source
 from tests.report import samples
+from tests.report.small_inputs import small
 
 TIGHT, MEDIAN, CLOSEST = (
     "bvh.boxes-are-tight",
@@ -90,7 +91,7 @@ def test_medians_are_told_by_check_and_of_all() -> None:
 
 def test_a_grade_gives_the_size_of_each_failed_check(monkeypatch: pytest.MonkeyPatch) -> None:
     """A check that looks at no input has none; a check that passes is not told."""
-    found = replace(samples.check(1), verdict=Verdict.FAIL, counterexample=samples.small())
+    found = replace(samples.check(1), verdict=Verdict.FAIL, counterexample=small())
     checks = [
         replace(found, check=TIGHT),
         replace(found, check=MEDIAN, counterexample=None),
@@ -98,7 +99,7 @@ def test_a_grade_gives_the_size_of_each_failed_check(monkeypatch: pytest.MonkeyP
         replace(found, check=CLOSEST, verdict=Verdict.PASS),
     ]
     monkeypatch.setattr(smallest, "grade_one", lambda *_: samples.graded(checks))
-    faces, name = samples.small().faces, name_of(reference_source())
+    faces, name = small().faces, name_of(reference_source())
     assert smallest_inputs(reference_source()) == [
         Smallest(TIGHT, name, faces, 0),
         Smallest(MEDIAN, name, None, None),

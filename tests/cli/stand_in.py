@@ -6,29 +6,15 @@ what the submission's text says: a sample, or `long` for a process that is waite
 
 import sys
 import time
-from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from types import ModuleType
 
 from grader.cli import main
 from grader.model.grade import Grade
+from grader.options import Options
 from grader.sandbox.launch import Order, launch
 from tests.report import samples
-
-
-@dataclass(frozen=True, slots=True)
-class Options:
-    """The pipeline's options."""
-
-    seed: int
-    rubric: Path | None
-    only: tuple[str, ...]
-    progress: Callable[[str, int, int], None]
-    time_limit: float | None
-    counterexamples: bool
-    isolated: bool
-    for_student: bool = False
 
 
 class Pipeline(ModuleType):
@@ -36,7 +22,6 @@ class Pipeline(ModuleType):
 
     def __init__(self, sample: str) -> None:
         super().__init__("grader.pipeline")
-        self.Options = Options
         self.sample = sample
 
     def grade_one(self, path: Path, options: Options) -> Grade:

@@ -1,65 +1,13 @@
 """`check` and `grade`: results, exit statuses, and every way of calling them wrongly."""
 
 import json
-import sys
-from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from types import ModuleType
 
 import pytest
-from click.testing import CliRunner, Result
 
-from grader.cli import cli
-from grader.errors import BuildFault, MissingTool, UsageError
-from grader.model.grade import Grade
-from tests.cli.stand_in import Options
+from tests.cli.calls import FILE, WRITTEN, Pipeline, call
 from tests.report import samples
-
-FILE = "src/exercise03.cpp"
-WRITTEN = "bvhgrade-out/result.json"
-
-
-class Pipeline(ModuleType):
-    """Stands in for the pipeline's module and remembers what it was asked."""
-
-    def __init__(self) -> None:
-        super().__init__("grader.pipeline")
-        self.Options = Options
-        self.asked: list[tuple[Path, Options]] = []
-        self.answer: Callable[[], Grade] = samples.perfect
-
-    def grade_one(self, path: Path, options: Options) -> Grade:
-        """Answer with a grade made by hand."""
-        self.asked.append((path, options))
-        options.progress("building", 1, 3)
-        return self.answer()
-
-    def fail(self, fault: BaseException) -> None:
-        """Raise instead of answering."""
-
-        def answer() -> Grade:
-            raise fault
-
-        self.answer = answer
-
-
-@pytest.fixture
-def pipeline(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Pipeline:
-    """Replace the pipeline, and start in a student's folder with a cache of its own."""
-    stand_in = Pipeline()
-    monkeypatch.setitem(sys.modules, "grader.pipeline", stand_in)
-    monkeypatch.setenv("BVHGRADE_CACHE", str(tmp_path / "cache"))
-    here = tmp_path / "here"
-    (here / "src").mkdir(parents=True)
-    (here / FILE).write_text("int main() {}\n")
-    monkeypatch.chdir(here)
-    return stand_in
-
-
-def call(*words: str) -> Result:
-    """Run the command line in this process."""
-    return CliRunner().invoke(cli, words)
 
 
 @pytest.mark.parametrize(
@@ -217,86 +165,6 @@ def test_check_falls_back_on_the_cache_if_nothing_may_be_written_here(
     result = call("check", FILE)
     assert result.exit_code == 0
     assert (tmp_path / "cache" / "bvhgrade-out" / "result.json").is_file()
-
-
-@pytest.mark.parametrize(
-    ("fault", "status"),
-    [
-        (UsageError("hits.closest is no check; did you mean hits.closest-wins"), 2),
-        (MissingTool("a C++ compiler is not installed"), 3),
-        (BuildFault("the framework did not build:\n::error::x\n\x1b[31mred"), 3),
-    ],
-)
-def test_known_faults_end_with_a_sentence(
-    pipeline: Pipeline, fault: Exception, status: int
-) -> None:
-    """Only the first kind is the caller's, and no text in them acts."""
-    pipeline.fail(fault)
-    result = call("grade", FILE)
-    assert result.exit_code == status
-    assert all(line.startswith("bvhgrade: ") for line in result.stderr.splitlines())
-    assert "\x1b" not in result.output
-    assert not Path(WRITTEN).exists()
-
-
-def test_an_unforeseen_fault_keeps_its_traceback_in_a_file(
-    pipeline: Pipeline, tmp_path: Path
-) -> None:
-    """One sentence is shown, with the place of the rest."""
-    pipeline.fail(KeyError("secret detail"))
-    result = call("check", FILE)
-    assert result.exit_code == 3
-    assert "KeyError" in result.stderr
-    assert "secret detail" not in result.output
-    assert "Traceback" not in result.output
-    (kept,) = (tmp_path / "cache" / "faults").iterdir()
-    assert str(kept) in result.stderr
-    assert "secret detail" in kept.read_text()
-
-
-def test_a_traceback_survives_without_a_cache(
-    pipeline: Pipeline, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """The temporary folder holds it then."""
-    monkeypatch.setenv("BVHGRADE_CACHE", f"{FILE}/cache")
-    pipeline.fail(ZeroDivisionError())
-    result = call("grade", FILE)
-    assert result.exit_code == 3
-    kept = Path(result.stderr.rsplit(" ", 1)[1].strip())
-    assert "ZeroDivisionError" in kept.read_text()
-    kept.unlink()
-
-
-@pytest.mark.parametrize("fault", [KeyboardInterrupt(), SystemExit(7)])
-def test_an_interruption_leaves_the_old_result(
-    pipeline: Pipeline, fault: BaseException
-) -> None:
-    """Nothing is half written."""
-    call("grade", FILE)
-    before = Path(WRITTEN).read_bytes()
-    pipeline.fail(fault)
-    result = call("grade", FILE, "--seed", "9")
-    assert result.exit_code == (130 if isinstance(fault, KeyboardInterrupt) else 7)
-    assert Path(WRITTEN).read_bytes() == before
-    assert len(list(Path("bvhgrade-out").iterdir())) == 1
-
-
-def test_a_result_that_cannot_be_replaced_is_our_fault(
-    pipeline: Pipeline, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """A full disk leaves the old result and no rest of the new one."""
-
-    def full(self: Path, target: Path) -> Path:
-        raise OSError(28, "No space left on device", str(target))
-
-    call("grade", FILE)
-    before = Path(WRITTEN).read_bytes()
-    monkeypatch.setattr(Path, "replace", full)
-    result = call("grade", FILE, "--seed", "9")
-    assert result.exit_code == 3
-    assert "No space left" in result.stderr
-    assert Path(WRITTEN).read_bytes() == before
-    assert len(list(Path("bvhgrade-out").iterdir())) == 1
 
 
 @pytest.mark.parametrize(

@@ -19,7 +19,7 @@ from grader.counterexample.revived import trial_of
 from grader.counterexample.written import to_text
 from grader.errors import UsageError
 from grader.model.trials import ConstructTrial, Trial
-from tests.report import samples
+from tests.report.small_inputs import small
 from tests.verify.builder import soup
 from tests.verify.trials import every_trial
 
@@ -34,7 +34,7 @@ SMALL: list[Trial] = [one for one in every_trial() if largest(one) < 100]
 
 def written(trial: Trial) -> str:
     """Write a counterexample with this trial."""
-    return to_text(replace(samples.small(), trial=trial))
+    return to_text(replace(small(), trial=trial))
 
 
 def back(text: str, folder: Path) -> Trial:

@@ -10,9 +10,9 @@ from grader.model.counterexample import Column, NodeTable, Replay
 from grader.report.nodes import node_table
 from grader.report.replayed import print_replay
 from grader.report.sheet import Sheet
-from tests.report import samples
 from tests.report.hostile import HOSTILE
 from tests.report.readers import terminal_reader
+from tests.report.small_inputs import small, small_trace
 
 
 def drawn(table: NodeTable, width: int) -> list[str]:
@@ -27,7 +27,7 @@ def drawn(table: NodeTable, width: int) -> list[str]:
 @pytest.mark.parametrize("width", [56, 80, 120])
 def test_nine_faces_fit_on_one_row(width: int) -> None:
     """Seven nodes stand side by side even in 56 columns; the mark is below its column."""
-    lines = drawn(samples.small().table or NodeTable((), "", "", -1), width)
+    lines = drawn(small().table or NodeTable((), "", "", -1), width)
     assert max(map(len, lines)) <= width
     node, expected, got, mark = lines[:4]
     assert [word for word in node.split() if word.isdigit()] == list("0123456")
@@ -56,7 +56,7 @@ def told(replay: Replay) -> str:
 
 def test_a_replay_tells_what_fails() -> None:
     """The input, where it went wrong, the tree, what is expected and what was got."""
-    found = samples.small_trace()
+    found = small_trace()
     text = told(Replay(found.check, "The closest hit wins", found))
     order = [
         "The closest hit wins",
@@ -80,5 +80,5 @@ def test_a_replay_says_that_it_passes() -> None:
 def test_a_replay_takes_the_power_from_texts(text: str) -> None:
     """Neither a refusal nor a message reaches the terminal as it is."""
     told(Replay("hits.closest-wins", "The closest hit wins", None, text))
-    found = replace(samples.small(), message=text, explanation=text, expected=text, got=text)
+    found = replace(small(), message=text, explanation=text, expected=text, got=text)
     told(Replay(found.check, "Boxes are tight", found))

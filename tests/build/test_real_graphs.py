@@ -1,0 +1,108 @@
+"""Call graphs of real compilers tell loops from recursion."""
+
+from pathlib import Path
+
+import pytest
+
+from grader.model.cases import SourceCase
+from grader.model.verdict import Verdict
+from grader.verify.source import construct_loops
+from tests.build.compilers import COMPILERS, Compile
+from tests.compiled import BEGIN, CONSTRUCT, INTERSECT, graph_of
+from tests.verify.builder import findings
+
+HEAD = BEGIN + "#include <functional>\n" + INTERSECT
+GROW = "nodes.push_back(Node{mesh.getBounds(), 0, 0});"
+OPEN = f"void BVH::construct(const Mesh& mesh) {{ {GROW} faceIndices.resize(9); "
+
+RECURSIVE = {
+    "construct itself": OPEN + "if (nodes.size() < 9) construct(mesh); }",
+    "a function": """static void grow(std::vector<BVH::Node>& nodes, int depth) {
+        nodes.push_back({}); if (depth) grow(nodes, depth - 1); }
+        """ + OPEN + "grow(nodes, 3); }",
+    "two functions in turns": """struct State { std::vector<BVH::Node>& nodes; };
+        static void right(State& s, int d);
+        static void left(State& s, int d) { s.nodes.push_back({}); if (d) right(s, d - 1); }
+        static void right(State& s, int d) { if (d) left(s, d - 1); }
+        """ + OPEN + "State s{nodes}; left(s, 3); }",
+    "std::function": OPEN + """std::function<void(uint32_t)> split = [&](uint32_t i) {
+        nodes.push_back({}); if (i) split(i - 1); }; split(3); }""",
+    "a generic lambda": OPEN + """auto split = [&](auto& self, uint32_t i) -> void {
+        nodes.push_back({}); if (i) self(self, i - 1); }; split(split, 3); }""",
+    "a function named ä": """static void ä(std::vector<BVH::Node>& n, int d) {
+        n.push_back({}); if (d) ä(n, d - 1); }
+        """ + OPEN + "ä(nodes, 3); }",
+}  # fmt: skip
+
+SORT = """static void quicksort(uint32_t* a, uint32_t* b, const Mesh& mesh, int axis) {
+    if (b - a < 2) return;
+    uint32_t* m = std::partition(a, b, [&](uint32_t f) {
+        return mesh.getTriangleFromFaceIndex(f).v1[axis] < 0; });
+    quicksort(a, m, mesh, axis); quicksort(m, b, mesh, axis); }
+"""
+
+LOOPS = {
+    "overloads": """static AABB boxOf(const Triangle& t) { AABB b; b.extend(t.v1); return b; }
+        static AABB boxOf(const Mesh& m, uint32_t f) {
+            return boxOf(m.getTriangleFromFaceIndex(f)); }
+        """ + OPEN + "nodes[0].bounds = boxOf(mesh, 0); }",
+    "a recursive quicksort": SORT + OPEN + """
+        quicksort(faceIndices.data(), faceIndices.data() + 9, mesh, 0); }""",
+    "a recursive template for a comparator beside nodes": """
+        template <class Less> void quicksort(uint32_t* a, uint32_t* b, Less less) {
+            if (b - a < 2) return;
+            uint32_t* m = std::partition(a, b, [&](uint32_t f) { return less(f, *a); });
+            quicksort(a, m, less); quicksort(m + (m == a), b, less); }
+        static void split(BVH::Node& node, const Mesh& mesh, uint32_t* a) {
+            node.facesEnd = 3;
+            quicksort(a, a + 9, [&](uint32_t f, uint32_t g) {
+                return mesh.getTriangleFromFaceIndex(f).v1.x
+                     < mesh.getTriangleFromFaceIndex(g).v1.x; }); }
+        """ + OPEN + "split(nodes[0], mesh, faceIndices.data()); }",
+    "function objects that use each other": OPEN + """
+        std::function<float(uint32_t)> x = [&](uint32_t f) {
+            return mesh.getTriangleFromFaceIndex(f).v1.x; };
+        std::function<AABB(uint32_t)> box = [&](uint32_t f) {
+            AABB b; b.min.x = x(f); b.extend(mesh.getTriangleFromFaceIndex(f).v1); return b; };
+        nodes[0].bounds = box(0); }""",
+    "function objects of one signature": OPEN + """
+        std::function<void(uint32_t)> one = [&](uint32_t i) { nodes[i].facesEnd = 3; };
+        std::function<void(uint32_t)> two = [&](uint32_t i) { nodes.push_back({}); one(i); };
+        two(0); }""",
+    "functions named ä and ö": """static void ä(BVH::Node& n) { n.facesEnd = 3; }
+        static void ö(BVH::Node& n) { ä(n); }
+        """ + OPEN + "ö(nodes[0]); }",
+    "a comparator by pointer": """static bool less(uint32_t a, uint32_t b) { return a < b; }
+        """ + OPEN + "std::sort(faceIndices.begin(), faceIndices.end(), less); }",
+    "a queue, a stack and output": OPEN + """std::queue<Node> q; q.push(nodes[0]);
+        std::stack<uint32_t> s; s.push(1); std::cout << s.top() << q.size() << std::endl; }""",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("compiler", COMPILERS)
+@pytest.mark.usefixtures("cache")
+def test_real_call_graphs_tell_loops_from_recursion(
+    compiler: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Recursion is found with its line however it is written, and no loop is taken for one."""
+    monkeypatch.setenv("CXX", compiler)
+    for expected, sources in ((Verdict.FAIL, RECURSIVE), (Verdict.PASS, LOOPS)):
+        for name, source in sources.items():
+            folder = tmp_path / str(len(list(tmp_path.iterdir())))
+            folder.mkdir()
+            case = SourceCase("source", graph_of(HEAD + source + "\n", folder))
+            found = findings(case)["source.construct-loops"]
+            assert found.verdict is expected, (name, found)
+            assert (found.evidence.line >= 6) == (expected is Verdict.FAIL), (name, found)
+
+
+def test_recursion_of_intersect_is_allowed(compiled: Compile) -> None:
+    """The sheet forbids recursion only in construct."""
+    walk = """static void visit(const BVH& bvh, size_t i) {
+    if (i < bvh.getNodes().size()) visit(bvh, 2 * i + 1); }
+Intersection intersect(const Mesh& mesh, const IntersectionRay&) {
+    visit(mesh.getBVH(), 0); return {}; }
+"""
+    build = compiled(BEGIN + walk + CONSTRUCT)
+    assert build.calls
+    assert construct_loops.decide(SourceCase("source", build.calls)).wrong == 0

@@ -1,0 +1,88 @@
+"""`check` and `grade` when we are at fault: one sentence, and nothing is lost."""
+
+from pathlib import Path
+
+import pytest
+
+from grader.errors import BuildFault, MissingTool, UsageError
+from tests.cli.calls import FILE, WRITTEN, Pipeline, call
+
+
+@pytest.mark.parametrize(
+    ("fault", "status"),
+    [
+        (UsageError("hits.closest is no check; did you mean hits.closest-wins"), 2),
+        (MissingTool("a C++ compiler is not installed"), 3),
+        (BuildFault("the framework did not build:\n::error::x\n\x1b[31mred"), 3),
+    ],
+)
+def test_known_faults_end_with_a_sentence(
+    pipeline: Pipeline, fault: Exception, status: int
+) -> None:
+    """Only the first kind is the caller's, and no text in them acts."""
+    pipeline.fail(fault)
+    result = call("grade", FILE)
+    assert result.exit_code == status
+    assert all(line.startswith("bvhgrade: ") for line in result.stderr.splitlines())
+    assert "\x1b" not in result.output
+    assert not Path(WRITTEN).exists()
+
+
+def test_an_unforeseen_fault_keeps_its_traceback_in_a_file(
+    pipeline: Pipeline, tmp_path: Path
+) -> None:
+    """One sentence is shown, with the place of the rest."""
+    pipeline.fail(KeyError("secret detail"))
+    result = call("check", FILE)
+    assert result.exit_code == 3
+    assert "KeyError" in result.stderr
+    assert "secret detail" not in result.output
+    assert "Traceback" not in result.output
+    (kept,) = (tmp_path / "cache" / "faults").iterdir()
+    assert str(kept) in result.stderr
+    assert "secret detail" in kept.read_text()
+
+
+def test_a_traceback_survives_without_a_cache(
+    pipeline: Pipeline, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The temporary folder holds it then."""
+    monkeypatch.setenv("BVHGRADE_CACHE", f"{FILE}/cache")
+    pipeline.fail(ZeroDivisionError())
+    result = call("grade", FILE)
+    assert result.exit_code == 3
+    kept = Path(result.stderr.rsplit(" ", 1)[1].strip())
+    assert "ZeroDivisionError" in kept.read_text()
+    kept.unlink()
+
+
+@pytest.mark.parametrize("fault", [KeyboardInterrupt(), SystemExit(7)])
+def test_an_interruption_leaves_the_old_result(
+    pipeline: Pipeline, fault: BaseException
+) -> None:
+    """Nothing is half written."""
+    call("grade", FILE)
+    before = Path(WRITTEN).read_bytes()
+    pipeline.fail(fault)
+    result = call("grade", FILE, "--seed", "9")
+    assert result.exit_code == (130 if isinstance(fault, KeyboardInterrupt) else 7)
+    assert Path(WRITTEN).read_bytes() == before
+    assert len(list(Path("bvhgrade-out").iterdir())) == 1
+
+
+def test_a_result_that_cannot_be_replaced_is_our_fault(
+    pipeline: Pipeline, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A full disk leaves the old result and no rest of the new one."""
+
+    def full(self: Path, target: Path) -> Path:
+        raise OSError(28, "No space left on device", str(target))
+
+    call("grade", FILE)
+    before = Path(WRITTEN).read_bytes()
+    monkeypatch.setattr(Path, "replace", full)
+    result = call("grade", FILE, "--seed", "9")
+    assert result.exit_code == 3
+    assert "No space left" in result.stderr
+    assert Path(WRITTEN).read_bytes() == before
+    assert len(list(Path("bvhgrade-out").iterdir())) == 1
