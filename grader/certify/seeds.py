@@ -44,9 +44,10 @@ def tried(rows: Sequence[Row], found: Iterable[Hole], grader: str) -> Tried:
 
 
 def store_tried(run: Tried) -> None:
-    """Keep a run, unless the stored one of the same grader has more seeds."""
+    """Keep a run with several seeds, unless the stored one of this grader has more of them."""
     last = stored_tried()
-    if last is None or last.grader != run.grader or len(last.seeds) <= len(run.seeds):
+    more = last is None or last.grader != run.grader or len(last.seeds) <= len(run.seeds)
+    if more and len(run.seeds) > 1:
         tried_file().write_text(json.dumps(asdict(run), indent=1) + "\n")
 
 

@@ -43,12 +43,13 @@ def test_a_run_is_summed_up(file: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("seeds", "grader", "kept"), [(1, "abc", False), (2, "abc", True), (1, "new", True)]
+    ("seeds", "grader", "kept"),
+    [(2, "abc", False), (3, "abc", True), (2, "new", True), (1, "new", False)],
 )
 @pytest.mark.usefixtures("file")
 def test_fewer_seeds_do_not_replace_more(seeds: int, grader: str, kept: bool) -> None:
-    """Of the same grader; of another one the stored run says nothing any more."""
-    first = tried([row("right/x.cpp", seed) for seed in (41, 42)], [], "abc")
+    """Of the same grader; of another one the stored run says nothing. One seed is no news."""
+    first = tried([row("right/x.cpp", seed) for seed in (41, 42, 43)], [], "abc")
     second = tried([row("right/z.cpp", 41 + seed) for seed in range(seeds)], [], grader)
     store_tried(first)
     store_tried(second)

@@ -1,4 +1,4 @@
-// expect: hits.memory-is-safe
+// expect: hits.closest-wins
 // untouched: a
 // mistake: Children are looked for up to nodes.capacity(), where there may be old ones.
 #include "bvh.h"
