@@ -27,6 +27,9 @@ class Options:
     counterexamples: bool = False
     """Whether to look for the smallest input that fails each check that failed."""
 
+    views: bool = False
+    """Whether to draw what a report shows: pictures, and models to be turned."""
+
     isolated: bool = True
     """False only if the caller insists on running code without isolation."""
 

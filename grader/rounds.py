@@ -5,6 +5,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from grader.counterexample.search import Search, with_counterexamples
+from grader.gallery.gallery import Gallery
 from grader.model.cases import Case, DepthCase, WorkCase
 from grader.model.grade import Grade, Rubric
 from grader.model.stages import Build, Submission
@@ -74,6 +75,7 @@ class Rounds:
         self._solution = solution
         self._rubric = rubric
         self._options = options
+        self._gallery = Gallery(engines.graded)
         self.small_depths: list[DepthCase] = []
         """Trees of the sanitized build, which say something only if they end at its limit."""
 
@@ -86,6 +88,8 @@ class Rounds:
 
         for delivered in run_trials(trials, self._engines, self._budget, progress):
             for case in delivered:
+                if self._options.views:
+                    self._gallery.note(case)
                 if isinstance(case, DepthCase) and case.trial.sanitized:
                     self.small_depths.append(case)
                 elif isinstance(case, WorkCase):
@@ -96,17 +100,23 @@ class Rounds:
     def grade(
         self, summary: Summary, given: Submission, build: Build, trials: Sequence[Trial]
     ) -> Grade:
-        """Score what was found, and look for small inputs in what is left of the time."""
+        """Score what was found; look for small inputs and draw in what is left of the time."""
         grade = summary.grade(given, build, trials)
-        if not self._options.counterexamples:
-            return grade
-        limit = self._options.most_seconds(self._rubric.limits)
-        left = limit - _RESERVE / 3 * limit - summary.elapsed()
-        deadline, hidden = time.monotonic() + left, not self._options.for_student
-        search = Search(trials, self._engines, self._solution, deadline, hidden)
-        with summary.stage("looking for small examples"):
-            grade = with_counterexamples(grade, search)
+        if self._options.counterexamples:
+            deadline = time.monotonic() + self._left(summary)
+            hidden = not self._options.for_student
+            search = Search(trials, self._engines, self._solution, deadline, hidden)
+            with summary.stage("looking for small examples"):
+                grade = with_counterexamples(grade, search)
+        if self._options.views:
+            with summary.stage("drawing"):
+                grade = self._gallery.shown(grade, trials, self._left(summary))
         return replace(grade, timing=summary.timing(build))
+
+    def _left(self, summary: Summary) -> float:
+        """Wall seconds for what decides nothing any more."""
+        limit = self._options.most_seconds(self._rubric.limits)
+        return limit - _RESERVE / 3 * limit - summary.elapsed()
 
     def further_trials(self) -> Sequence[Trial]:
         """Ask for the mesh of four million faces if small ones could not show the depth limit.

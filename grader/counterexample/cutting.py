@@ -101,7 +101,8 @@ def cut_case(case: HitCase | ImageCase, rays: Integers) -> HitCase | ImageCase:
     """Keep some rays of what was delivered, without asking again."""
     hits = Hits(case.hits.point[rays], case.hits.t[rays], case.hits.normal[rays])
     if isinstance(case, ImageCase):
-        return replace(case, trial=cut_rays(case.trial, rays), hits=hits)
+        tests = case.tests[rays]
+        return replace(case, trial=cut_rays(case.trial, rays), hits=hits, tests=tests)
     return replace(case, trial=cut_rays(case.trial, rays), hits=hits)
 
 

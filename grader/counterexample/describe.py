@@ -7,6 +7,7 @@ import numpy as np
 
 from grader.counterexample.explain import Explanation, Setting, false_hit, lost_hit
 from grader.counterexample.probe import Probe, sizes
+from grader.counterexample.shown import with_ray, with_tree
 from grader.counterexample.table import MOST_FACES, path_table, tree_table
 from grader.model.cases import TreeCase
 from grader.model.counterexample import Counterexample
@@ -17,7 +18,7 @@ from grader.oracle.brute import chosen
 from grader.solution import Solution
 
 PATH_FACES = 1_000
-"""Faces of a mesh on which the path of a ray is recorded."""
+"""Faces of a mesh that is shown: its tree, or the recorded path of a ray."""
 
 
 def described(
@@ -47,7 +48,7 @@ def described(
     if probe.dies:
         return told
     match trial:
-        case ConstructTrial() if faces <= MOST_FACES:
+        case ConstructTrial() if faces <= PATH_FACES:
             return _with_trees(told, probe, solution, trial)
         case TraceTrial() | AlteredTrial() | ImageTrial() if faces <= PATH_FACES:
             return _with_path(told, probe, trial)
@@ -60,7 +61,10 @@ def _with_trees(
     for case in probe.cases(trial):
         if isinstance(case, TreeCase):
             (expected,) = solution.fresh_trees([trial.mesh])
-            return replace(told, table=tree_table(expected, case.bvh))
+            small = len(trial.mesh.faces) <= MOST_FACES
+            table = tree_table(expected, case.bvh) if small else None
+            model = with_tree(told.check, trial.mesh, case.bvh, expected)
+            return replace(told, table=table, model=model)
     return told
 
 
@@ -76,7 +80,8 @@ def _with_path(
     small = len(trial.mesh.faces) <= MOST_FACES
     rays = chosen(trial.rays, np.array([ray]))
     table = path_table(setting, rays, found.node) if small and path.total else None
-    return replace(told, explanation=found.text, table=table)
+    model = with_ray(told.check, setting, trial, ray, found)
+    return replace(told, explanation=found.text, table=table, model=model)
 
 
 def telling_ray(trial: TraceTrial | AlteredTrial | ImageTrial) -> int | None:

@@ -5,7 +5,7 @@ A case exists only if its worker delivered it, so no check ever tests for None.
 
 from dataclasses import dataclass
 
-from grader.model.mesh import Bvh, Hits, Mesh
+from grader.model.mesh import Bvh, FrozenArrays, Hits, Indices, Mesh
 from grader.model.stages import CallGraph, Ending
 from grader.model.trials import (
     AlteredTrial,
@@ -123,13 +123,15 @@ class RepeatCase:
     """Hits of the same rays on the other mesh."""
 
 
-@dataclass(frozen=True, slots=True)
-class ImageCase:
+@dataclass(frozen=True, slots=True, eq=False)
+class ImageCase(FrozenArrays):
     """Hits of the pixel centres of a reference picture."""
 
     name: str
     trial: ImageTrial
     hits: Hits
+    tests: Indices
+    """(R, 2) uint32, counted calls of the given box test and triangle test for each pixel."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from grader.model.trials import Trial
+from grader.model.views import Model
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,6 +49,9 @@ class Counterexample:
 
     table: NodeTable | None = None
     """None for larger meshes."""
+
+    model: Model | None = None
+    """To be turned in space; None if neither a tree nor one ray is what fails."""
 
 
 @dataclass(frozen=True, slots=True)

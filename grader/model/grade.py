@@ -7,8 +7,9 @@ from grader.model.stages import Build, Rejected, Stop, Submission
 from grader.model.verdict import Example, Verdict
 
 if TYPE_CHECKING:
-    # It holds arrays, and `bvhgrade --help` does without numpy.
+    # They hold arrays, and `bvhgrade --help` does without numpy.
     from grader.model.counterexample import Counterexample
+    from grader.model.views import Views
 
 
 @dataclass(frozen=True, slots=True)
@@ -200,3 +201,5 @@ class Grade:
     needs_review: bool
     provenance: Provenance
     timing: Timing
+    views: "Views | None" = None
+    """What a report shows; None if nobody asked for it, or nothing ran."""

@@ -140,13 +140,14 @@ def _trace(job: Job, trial: TraceTrial | AlteredTrial | ImageTrial) -> ReadOne:
     hits = trace(job, on_tree(job, trial.mesh, trial.tree), trial.rays)
 
     def read(result: Result, _: Ending) -> tuple[Case, ...]:
-        (found,) = hits(result).hits
+        traced = hits(result)
+        (found,) = traced.hits
         match trial:
             case TraceTrial():
                 return () if trial.sanitized else (HitCase(trial.name, trial, found),)
             case AlteredTrial():
                 return (AlteredCase(trial.name, trial, found),)
-        return (ImageCase(trial.name, trial, found),)
+        return (ImageCase(trial.name, trial, found, traced.counts),)
 
     return read
 

@@ -7,7 +7,7 @@ from functools import lru_cache
 import numpy as np
 import numpy.typing as npt
 
-from grader.model.mesh import Bvh, Floats, Hits, Mesh, Rays
+from grader.model.mesh import Bvh, Floats, Hits, Indices, Mesh, Rays
 from grader.model.path import Path
 from grader.run.job import Job, Result
 from grader.run.protocol import Op
@@ -85,8 +85,17 @@ class Traced:
     """Hits of each thread, and the counted calls of the given tests."""
 
     hits: tuple[Hits, ...]
-    tests: tuple[float, float]
-    """Mean calls per ray of the box test and of the triangle test."""
+    counts: Indices
+    """(R, 2) uint32, calls of the box test and of the triangle test for each ray, thread by
+    thread."""
+
+    @property
+    def tests(self) -> tuple[float, float]:
+        """Mean calls per ray of the box test and of the triangle test."""
+        if not len(self.counts):
+            return 0.0, 0.0
+        boxes, triangles = self.counts.mean(axis=0, dtype=np.float64)
+        return float(boxes), float(triangles)
 
 
 def trace(job: Job, slot: int, rays: Rays, threads: int = 1) -> Callable[[Result], Traced]:
@@ -99,8 +108,7 @@ def trace(job: Job, slot: int, rays: Rays, threads: int = 1) -> Callable[[Result
     def read(result: Result) -> Traced:
         every = result.array(hits, threads * count * 7, np.float32).reshape(threads, count, 7)
         counts = result.array(tests, threads * count * 2, np.uint32).reshape(-1, 2)
-        boxes, triangles = counts.mean(axis=0, dtype=np.float64) if count else (0.0, 0.0)
-        return Traced(tuple(hits_of(part) for part in every), (float(boxes), float(triangles)))
+        return Traced(tuple(hits_of(part) for part in every), counts)
 
     return read
 

@@ -20,17 +20,26 @@ def picture_equals_mitsubas(case: ImageCase) -> Evidence:
     Source: exercise sheet, part b, "render the same image".
     """
     judgement = judge(case.trial.answers, case.hits.t)
+    wrong = _wrong(case, judgement)
+    return judged(
+        wrong,
+        lambda pixel: _example(case, judgement, pixel),
+        examined=int(np.count_nonzero(~judgement.uncounted | wrong)),
+    )
+
+
+def wrong_pixels(case: ImageCase) -> Mask:
+    """Return (R,) bool, True at each pixel that `picture_equals_mitsubas` counts as wrong."""
+    return _wrong(case, judge(case.trial.answers, case.hits.t))
+
+
+def _wrong(case: ImageCase, judgement: Judgement) -> Mask:
     against_rule = judgement.missed_closer | judgement.no_surface
     against_mitsuba = ~against_rule & _differs(case, judgement)
     pixels = against_rule.size
     if np.count_nonzero(against_mitsuba) <= max(PICTURE_PIXELS, PICTURE_SHARE * pixels):
         against_mitsuba[:] = False
-    counted = ~judgement.uncounted | against_mitsuba
-    return judged(
-        against_rule | against_mitsuba,
-        lambda pixel: _example(case, judgement, pixel),
-        examined=int(np.count_nonzero(counted)),
-    )
+    return against_rule | against_mitsuba
 
 
 def _differs(case: ImageCase, judgement: Judgement) -> Mask:

@@ -85,7 +85,8 @@ def nested() -> ImageTrial:
 def claim(trial: ImageTrial, t: Floats) -> ImageCase:
     """Claim distances for the pixels of a picture."""
     none = np.zeros((t.size, 3), dtype=np.float32)
-    return ImageCase(trial.name, trial, Hits(point=none, t=t, normal=none))
+    untold = np.zeros((t.size, 2), dtype=np.uint32)
+    return ImageCase(trial.name, trial, Hits(point=none, t=t, normal=none), untold)
 
 
 def test_the_exercises_own_test_sees_mitsubas_picture(nested: ImageTrial) -> None:

@@ -51,7 +51,8 @@ def wall_case(t: Floats, kinds: dict[int, int] | None = None, void: bool = False
         answers=solid,
         mitsuba_t=np.full(PIXELS, np.inf if void else WALL, dtype=np.float32),
     )
-    return ImageCase("wall", trial, Hits(point=no_vectors, t=t, normal=no_vectors))
+    hits = Hits(point=no_vectors, t=t, normal=no_vectors)
+    return ImageCase("wall", trial, hits, np.zeros((PIXELS, 2), dtype=np.uint32))
 
 
 def no_tree() -> Bvh:

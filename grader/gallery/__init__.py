@@ -1,0 +1,1 @@
+"""What can be seen of a submission: pictures beside Mitsuba's, trees and rays in space."""

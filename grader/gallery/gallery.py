@@ -1,0 +1,70 @@
+"""What is kept of a run so that it can be drawn, and the drawing itself.
+
+Nothing is decided here any more: our own fault costs a picture, and no point.
+"""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from grader.errors import Interrupted
+from grader.gallery.models import Seen, models
+from grader.gallery.pictures import pictures
+from grader.model.cases import Case, ImageCase, TreeCase
+from grader.model.grade import Grade
+from grader.model.trials import ImageTrial, Trial
+from grader.model.views import Views
+from grader.oracle.scenes import scenes
+from grader.run.session import Allowance, Engine
+
+PATH_SECONDS = 2.0
+"""CPU seconds for the path of one ray through the largest scene."""
+
+
+class Gallery:
+    """The pictures and trees of one submission."""
+
+    def __init__(self, engine: Engine) -> None:
+        """Begin with nothing; the engine traces shadow rays."""
+        self._engine = engine
+        self._scenes = scenes()
+        self._seen: dict[str, ImageCase] = {}
+        self._trees: dict[str, TreeCase] = {}
+
+    def note(self, case: Case) -> None:
+        """Keep a case if something can be drawn from it."""
+        if isinstance(case, ImageCase):
+            self._seen[case.name] = case
+        elif isinstance(case, TreeCase) and case.name in {one.mesh for one in self._scenes}:
+            self._trees[case.name] = case
+
+    def shown(self, grade: Grade, trials: Sequence[Trial], seconds: float) -> Grade:
+        """Add the views to a grade.
+
+        Args:
+            grade: All decided.
+            trials: The plan's.
+            seconds: Wall time that the submission may take, all in all.
+        """
+        try:
+            return replace(grade, views=self._views(grade, trials, max(seconds, 0.0)))
+        except Interrupted:
+            raise
+        except Exception as fault:  # noqa: BLE001 - nothing is decided here: it costs the pictures
+            return _remarked(grade, type(fault).__name__)
+
+    def _views(self, grade: Grade, trials: Sequence[Trial], seconds: float) -> Views:
+        wanted = {trial.name for trial in trials if isinstance(trial, ImageTrial)}
+        shown = [scene for scene in self._scenes if scene.name in wanted]
+        allowed = Allowance(min(PATH_SECONDS, seconds / 4), seconds / 4)
+        return Views(
+            pictures(shown, self._seen, self._engine, seconds / 2),
+            models(grade, trials, Seen(self._seen, self._trees), self._engine, allowed),
+        )
+
+
+def _remarked(grade: Grade, fault: str) -> Grade:
+    """Say that there are no pictures, so that somebody reports it."""
+    if grade.build is None:
+        return grade
+    remark = f"nothing could be drawn, which is our own fault ({fault}) and costs no point"
+    return replace(grade, build=replace(grade.build, remarks=(*grade.build.remarks, remark)))

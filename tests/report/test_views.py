@@ -1,0 +1,165 @@
+"""What `views.json` holds can be decoded to what was seen, and never is too large."""
+
+import base64
+import io
+import json
+import zlib
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from grader.model.mesh import Bytes, Mesh
+from grader.model.views import Drawing, Model, Picture, ShownRay, Step, Views
+from grader.report import views as module
+from grader.report.views import to_json, to_text
+from tests.verify.builder import soup
+
+SIDE = 200
+
+
+def noise(seed: int) -> Bytes:
+    """Return a picture that cannot be compressed."""
+    return np.random.default_rng(seed).integers(0, 256, (SIDE, SIDE, 3), dtype=np.uint8)
+
+
+def picture(name: str, wrong_pixel: tuple[int, int] | None = None) -> Picture:
+    """Make a picture in which at most one pixel (x, y) is wrong."""
+    reference = noise(1)
+    yours, wrong = reference.copy(), np.zeros((SIDE, SIDE), np.uint8)
+    difference = np.zeros((SIDE, SIDE), np.uint8)
+    if wrong_pixel is not None:
+        x, y = wrong_pixel
+        yours[y, x] = 255 - yours[y, x]
+        wrong[y, x], difference[y, x] = 1, 252
+    drawing = Drawing(
+        yours=yours,
+        difference=difference,
+        wrong=wrong,
+        tests=np.full((SIDE, SIDE), 7, np.int64),
+        flip=0.25,
+        box_tests=5.0,
+        triangle_tests=2.0,
+        without_shadows=False,
+    )
+    return Picture(name, f"the {name}", reference, drawing)
+
+
+def model(mesh: Mesh) -> Model:
+    """Show a mesh with one box and one ray."""
+    ray = ShownRay(
+        origin=(0.0, 1.0, 2.0),
+        direction=(0.0, 0.0, -1.0),
+        t_min=0.0,
+        t_max=float("inf"),
+        expected=float("inf"),
+        got=2.5,
+        face=-1,
+        lost=-1,
+        sentence="node 1 was never visited",
+        steps=(Step(0, -1, True, float("inf")), Step(-1, 2, False, 2.5)),
+    )
+    box = np.array([[0, 0, 0], [np.nan] * 3], np.float32)
+    return Model(
+        "hits.closest-wins", "", mesh, 9, box, box + 1, 0, (), np.array([1, 2, 4]), ray
+    )
+
+
+def decoded(text: str) -> Bytes:
+    """Open a picture of the file."""
+    return np.asarray(Image.open(io.BytesIO(base64.b64decode(text))))
+
+
+def test_pictures_come_back_bit_by_bit() -> None:
+    """Mitsuba's picture with the submission's over it is the submission's picture."""
+    given = picture("wall", wrong_pixel=(30, 60))
+    (made,) = to_json(Views((given,), ()))["pictures"]
+    reference, over = decoded(made["images"]["reference"]), decoded(made["images"]["yours"])
+    assert given.drawing is not None
+    assert (reference == given.reference).all()
+    seen = np.where(over[..., 3:] > 0, over[..., :3], reference)
+    assert (seen == given.drawing.yours).all()
+    assert made["wrong"] == 1
+    assert made["first_wrong"] == [30, 60]
+    assert made["cost_scale"] == 7
+    assert made["cost_mean"] == [5.0, 2.0]
+
+
+def test_a_scene_without_a_submission_shows_mitsubas_picture() -> None:
+    """Nothing is claimed of a picture that is not there."""
+    (made,) = to_json(Views((replace(picture("wall"), drawing=None),), ()))["pictures"]
+    assert set(made["images"]) == {"reference"}
+    assert "wrong" not in made
+
+
+def test_too_many_pictures_become_smaller_but_not_the_wrong_one(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The scene with a mistake keeps its pixels, others lose theirs first."""
+    given = (picture("a"), picture("b", wrong_pixel=(0, 0)), picture("c"))
+    monkeypatch.setattr(module, "LARGEST", 300_000)
+    made = to_json(Views(given, ()))["pictures"]
+    sides = [len(decoded(one["images"]["reference"])) for one in made]
+    assert sides == [SIDE // 2, SIDE, SIDE // 2]
+    assert [one["width"] for one in made] == [SIDE] * 3
+
+
+def test_a_hole_of_one_pixel_is_seen_in_a_smaller_picture(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Of four pixels that become one the worst is shown."""
+    monkeypatch.setattr(module, "LARGEST", 1_000)
+    (made,) = to_json(Views((picture("wall", wrong_pixel=(31, 61)),), ()))["pictures"]
+    difference = decoded(made["images"]["difference"])
+    side = len(difference)
+    assert side < SIDE
+    lit = np.argwhere(difference.max(axis=2) > 100)
+    step = SIDE // side
+    assert lit.tolist() == [[61 // step, 31 // step]]
+
+
+def test_a_mesh_comes_back_within_its_grid() -> None:
+    """Places are rounded to 65,535 steps along each side; faces are exact."""
+    mesh = soup(40)
+    (made,) = to_json(Views((), (model(mesh),)))["models"]
+    packed = zlib.decompress(base64.b64decode(made["mesh"]["data"]))
+    count = made["mesh"]["vertices"]
+    places = np.frombuffer(packed, "<u2", 3 * count).reshape(-1, 3)
+    faces = np.frombuffer(packed, "<u4", offset=6 * count).reshape(-1, 3)
+    low, high = np.array(made["mesh"]["low"]), np.array(made["mesh"]["high"])
+    back = low + places / 65535 * (high - low)
+    assert np.abs(back - mesh.vertices).max() <= (high - low).max() / 65535
+    assert (faces == mesh.faces).all()
+
+
+def test_boxes_and_the_ray_are_told() -> None:
+    """Empty slots are NaN in the bytes; what JSON lacks is null."""
+    (made,) = to_json(Views((), (model(soup(5)),)))["models"]
+    boxes = np.frombuffer(zlib.decompress(base64.b64decode(made["boxes"]["data"])), "<f4")
+    assert boxes[:6].tolist() == [0, 0, 0, 1, 1, 1]
+    assert np.isnan(boxes[6:]).all()
+    assert made["marked"] == [1, 2, 4, 1]
+    assert made["node"] == 0
+    assert made["ray"]["t_max"] is None
+    assert made["ray"]["expected_t"] is None
+    assert made["ray"]["got_t"] == 2.5
+    assert [step["face"] for step in made["ray"]["steps"]] == [None, 2]
+
+
+def test_a_mesh_without_faces_can_be_told() -> None:
+    """The smallest example of a crash may be empty."""
+    empty = Mesh(np.zeros((0, 3), np.float32), np.zeros((0, 3), np.uint32))
+    (made,) = to_json(Views((), (replace(model(empty), marked=np.zeros(0, np.int64)),)))[
+        "models"
+    ]
+    assert made["mesh"]["vertices"] == 0
+    assert made["mesh"]["low"] == made["mesh"]["high"] == [0.0, 0.0, 0.0]
+    assert made["marked"] == []
+
+
+def test_the_text_is_strict_json_and_the_same_twice() -> None:
+    """No NaN, no measured time, no random order."""
+    views = Views((picture("wall", wrong_pixel=(1, 1)),), (model(soup(9)),))
+    assert to_text(views) == to_text(views)
+    assert json.loads(to_text(views))["schema"] == 1
