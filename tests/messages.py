@@ -1,6 +1,7 @@
 """What the grader says in several languages: `python -m tests.messages` lists every text."""
 
 import ast
+import re
 from collections.abc import Iterator
 
 from grader.diagnose import every_hypothesis
@@ -14,6 +15,9 @@ from tests.own_files import ROOT
 TRANSLATES = {"words"}
 """Functions whose first argument is translated."""
 
+TEMPLATED = re.compile(r'\b_\("([^"]*)"\)')
+"""Texts in a template, which calls the same function `_`."""
+
 LABELLED = {"beside", "command"}
 """Those whose first argument is a label, and translated too."""
 
@@ -22,6 +26,7 @@ def messages() -> list[str]:
     """List each text once, in a fixed order."""
     texts = [NOT_STARTED, *LABELS, "example", *(verdict.value for verdict in Verdict)]
     texts += written_in_code()
+    texts += written_in_templates()
     texts += [each.title for each in every_check()]
     texts += [title for _, title in load_rubric(None).titles]
     texts += [each.sentence for each in every_hypothesis()]
@@ -31,7 +36,7 @@ def messages() -> list[str]:
 
 def written_in_code() -> Iterator[str]:
     """Find the texts that the reports write."""
-    for path in sorted((ROOT / "grader" / "report").glob("*.py")):
+    for path in sorted((ROOT / "grader" / "report").rglob("*.py")):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             if (
                 isinstance(node, ast.Call)
@@ -41,6 +46,12 @@ def written_in_code() -> Iterator[str]:
                 first = node.args[0]
                 if isinstance(first, ast.Constant) and isinstance(first.value, str):
                     yield first.value
+
+
+def written_in_templates() -> Iterator[str]:
+    """Find the texts of the pages."""
+    for path in sorted((ROOT / "grader" / "report").rglob("*.html")):
+        yield from TEMPLATED.findall(path.read_text(encoding="utf-8"))
 
 
 def _name(call: ast.Call) -> str:

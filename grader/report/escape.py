@@ -101,7 +101,12 @@ def for_script(value: Any) -> str:  # noqa: ANN401 - any JSON value
     Standard, 13.2.5.15 to 13.2.5.31), whatever the JSON says. Both begin with `<`, which stands
     in texts only, where `\u003c` means the same.
     """
-    text = for_json(value).replace("<", "\\u003c")
+    return inside_script(for_json(value))
+
+
+def inside_script(text: str) -> str:
+    """Write JSON so that no element `script` ends or changes in it: the same JSON."""
+    text = text.replace("<", "\\u003c")
     return text.replace(">", "\\u003e").replace("&", "\\u0026")
 
 

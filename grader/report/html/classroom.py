@@ -1,0 +1,172 @@
+"""How does a whole class look on one page?"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from grader.language import Words, translator
+from grader.report.class_row import (
+    Bar,
+    Row,
+    averages,
+    check_names,
+    histogram,
+    misconceptions,
+    most_failed,
+)
+from grader.report.escape import for_csv
+from grader.report.html.page import page
+
+SIGNS = {"pass": ("p", "✓"), "fail": ("f", "✗"), "blocked": ("b", "-"), "broken": ("o", "!")}
+WIDTH, HEIGHT, LEFT, BELOW, ABOVE = 760, 200, 36, 22, 10
+"""Of the histogram, in pixels; and the room at its left, below and above."""
+
+GAP = 3
+COLUMNS = ("student", "score", "max_score", "seconds")
+"""Of the table for a spreadsheet, before the checks."""
+
+LINES = 4
+"""Of the histogram's grid, the lowest one not counted."""
+
+
+@dataclass(frozen=True, slots=True)
+class Drawn:
+    """A bar, in pixels."""
+
+    x: float
+    y: float
+    width: float
+    height: float
+    label: str
+    told: str
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """A line of the grid."""
+
+    y: float
+    students: int
+
+
+def to_class_page(rows: Sequence[Row], footer: str, language: str) -> str:
+    """Write `class.html`.
+
+    Args:
+        rows: The students, in the order of the table.
+        footer: With what they were graded.
+        language: `en` or `de`.
+    """
+    words, checks = translator(language), check_names(rows)
+    failed = [
+        {"check": check, "students": count, "percent": round(100 * count / len(rows))}
+        for check, count in most_failed(rows)
+    ]
+    values = {
+        "title": words("BVH exercise: the class"),
+        "lead": lead(rows, words),
+        "withheld": withheld(rows, words),
+        **chart(histogram(rows), words),
+        "failed": failed,
+        "misconceptions": misconceptions(rows),
+        "checks": checks,
+        "rows": [_row(row, checks, words) for row in rows],
+        "footer": footer,
+    }
+    return page("class", language, values, {"csv": csv_parts(rows)})
+
+
+def lead(rows: Sequence[Row], words: Words) -> str:
+    """Say how many there are and how they did."""
+    average = averages(rows)
+    if average is None:
+        return words("{students} submissions").format(students=len(rows))
+    most = max(row.max_score for row in rows)
+    told = words("{students} submissions, mean {mean}, median {median} of {most} points")
+    mean, middle = (f"{value:.1f}" for value in average)
+    return told.format(students=len(rows), mean=mean, median=middle, most=f"{most:g}")
+
+
+def withheld(rows: Sequence[Row], words: Words) -> str:
+    """Say how many scores are withheld; empty if none is."""
+    count = sum(row.score is None for row in rows)
+    told = words(
+        "Withheld scores: {count}. The grader itself failed there; grade these again. They "
+        "are in no average."
+    )
+    return told.format(count=count) if count else ""
+
+
+def chart(bars: Sequence[Bar], words: Words) -> dict[str, object]:
+    """Lay the histogram out."""
+    if not bars:
+        return {"bars": [], "chart": {}}
+    most = max(bar.students for bar in bars)
+    step = max(1, -(-most // LINES))
+    top = step * LINES
+    ground, room = HEIGHT - BELOW, HEIGHT - BELOW - ABOVE
+    width = (WIDTH - LEFT) / len(bars)
+    drawn = [
+        Drawn(
+            x=round(LEFT + place * width + GAP, 1),
+            y=round(ground - room * bar.students / top, 1),
+            width=round(width - 2 * GAP, 1),
+            height=round(room * bar.students / top, 1),
+            label=_label(bar),
+            told=words("{range} points: {students}").format(
+                range=_label(bar), students=bar.students
+            ),
+        )
+        for place, bar in enumerate(bars)
+    ]
+    lines = [Line(round(ground - room * n / LINES, 1), n * step) for n in range(LINES + 1)]
+    told = "; ".join(one.told for one in drawn)
+    shape = {"width": WIDTH, "height": HEIGHT, "left": LEFT, "lines": lines, "told": told}
+    return {"bars": drawn, "chart": shape}
+
+
+def _label(bar: Bar) -> str:
+    if bar.begin == bar.end:
+        return f"{bar.end:g}"
+    return f"{bar.begin:g} to {bar.end:g}"
+
+
+def _row(row: Row, checks: Sequence[str], words: Words) -> dict[str, object]:
+    known = dict(row.verdicts)
+    return {
+        "name": row.name,
+        "link": row.link,
+        "note": row.note,
+        "points": words("withheld") if row.score is None else f"{row.score:g}",
+        "seconds": f"{row.seconds:.1f}",
+        # What was not run at all looks like what could not be decided.
+        "signs": [SIGNS[known.get(check, "blocked")] for check in checks],
+    }
+
+
+def csv_parts(rows: Sequence[Row]) -> dict[str, object]:
+    """Return what the page's script puts together to `to_csv`: verdicts are in the table."""
+    checks = check_names(rows)
+    return {
+        "head": _line([*COLUMNS, *checks]),
+        "first": [_line(_cells(row)) for row in rows],
+        "words": {letter: for_csv(verdict) for verdict, (letter, _) in SIGNS.items()},
+    }
+
+
+def to_csv(rows: Sequence[Row]) -> str:
+    """Write the table for a spreadsheet: a line for each student."""
+    checks = check_names(rows)
+    lines = [_line([*COLUMNS, *checks])]
+    for row in rows:
+        known = dict(row.verdicts)
+        lines.append(_line([*_cells(row), *(known.get(one, "blocked") for one in checks)]))
+    return "\r\n".join(lines) + "\r\n"
+
+
+def _cells(row: Row) -> list[str]:
+    score = "" if row.score is None else f"{row.score:g}"
+    return [row.name, score, f"{row.max_score:g}", f"{row.seconds:.1f}"]
+
+
+def _line(cells: Sequence[str]) -> str:
+    return ",".join(map(for_csv, cells))

@@ -1,0 +1,96 @@
+"""How does a template become one page that a browser trusts only with what is ours?
+
+Style and script are ours and stand in the page; its policy names their hashes, so a browser
+runs nothing else, whatever a name or a message of a compiler says. Templates escape every
+value by themselves (jinja2), after it was made visible by `printable`.
+"""
+
+import base64
+import hashlib
+import json
+from collections.abc import Mapping
+from functools import cache
+from importlib.resources import files
+from typing import TYPE_CHECKING
+
+from grader.language import translator
+from grader.plain import printable
+from grader.report.escape import inside_script
+
+if TYPE_CHECKING:
+    from jinja2 import Environment
+
+
+def page(
+    name: str, language: str, values: Mapping[str, object], data: Mapping[str, object]
+) -> str:
+    """Write a page.
+
+    Args:
+        name: Of the template; style and script beside it have its name.
+        language: `en` or `de`.
+        values: For the template; every text in them is escaped there.
+        data: By the names of the template, JSON for its script.
+    """
+    from markupsafe import Markup
+
+    style, script = source(f"{name}.css"), source(f"{name}.js")
+    environment = templates()
+    encoded = {
+        # Every `<` is spelled as an escape in it, so nothing ends the element.
+        key: Markup(inside_script(json.dumps(value, separators=(",", ":"), allow_nan=False)))  # noqa: S704
+        for key, value in data.items()
+    }
+    return environment.get_template(f"{name}.html").render(
+        **values,
+        **encoded,
+        _=translator(language),
+        language=language,
+        policy=policy(style, script),
+        style=Markup(style),  # noqa: S704 - ours
+        script=Markup(script),  # noqa: S704 - ours
+    )
+
+
+def policy(style: str, script: str) -> str:
+    """Write the Content Security Policy of a page: our style, our script, pictures inside it.
+
+    Source: W3C, Content Security Policy Level 3, section 2.3.1, hash-source.
+    """
+    return (
+        f"default-src 'none'; style-src '{_hash(style)}'; script-src '{_hash(script)}'; "
+        "img-src data: blob:; base-uri 'none'; form-action 'none'"
+    )
+
+
+def _hash(text: str) -> str:
+    digest = hashlib.sha256(text.encode()).digest()
+    return "sha256-" + base64.b64encode(digest).decode("ascii")
+
+
+@cache
+def source(name: str) -> str:
+    """Read a file of ours that belongs to pages."""
+    folder = files("grader.report.html").joinpath("templates")
+    return folder.joinpath(name).read_text(encoding="utf-8")
+
+
+@cache
+def templates() -> "Environment":
+    """Prepare the templates: undefined names are mistakes, all values are escaped."""
+    from jinja2 import Environment, FunctionLoader, StrictUndefined
+
+    environment = Environment(
+        loader=FunctionLoader(source),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        keep_trailing_newline=True,
+    )
+    environment.finalize = _visible
+    return environment
+
+
+def _visible(value: object) -> object:
+    """Take control characters and the like out of plain texts."""
+    return printable(value) if type(value) is str else value
