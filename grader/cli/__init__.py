@@ -8,6 +8,7 @@ import click
 
 from grader import __version__
 from grader.cli.certify import certify
+from grader.cli.export import export
 from grader.cli.grading import check, grade
 from grader.cli.installation import doctor, schema
 from grader.cli.scenes import scenes
@@ -20,7 +21,7 @@ def cli() -> None:
     """Grade a BVH exercise in C++: one file, two functions, 50 points."""
 
 
-for command in (check, grade, scenes, doctor, schema, certify):
+for command in (check, grade, export, scenes, doctor, schema, certify):
     cli.add_command(command)
 
 

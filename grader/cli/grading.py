@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, NoReturn
 import click
 from click.exceptions import Exit
 
+from grader.cli.formats import format_option, ready_for, write_formats
 from grader.cli.interrupts import interruptible
 from grader.cli.options import (
     hints_option,
@@ -113,13 +114,7 @@ def check(submission: Path | None, watch: bool, **given: Any) -> None:  # noqa: 
     metavar="DIR",
     help="Folder for the result; created if needed.",
 )
-@click.option(
-    "--format",
-    type=click.Choice(["json"]),
-    multiple=True,
-    expose_value=False,
-    help="What to write, repeatable; result.json always is.",
-)
+@format_option
 @seed_option
 @rubric_option
 @time_option
@@ -127,7 +122,7 @@ def check(submission: Path | None, watch: bool, **given: Any) -> None:  # noqa: 
 @unsafe_option
 @click.option("--quiet", is_flag=True, help="Print the points only.")
 def grade(submission: Path, output: Path, quiet: bool, **given: Any) -> None:  # noqa: ANN401 - click's own
-    """Grade one submission and write result.json.
+    """Grade one submission and write result.json, and other formats beside it.
 
     SUBMISSION is a .cpp file, a folder or an archive that holds one exercise03.cpp.
 
@@ -135,8 +130,10 @@ def grade(submission: Path, output: Path, quiet: bool, **given: Any) -> None:  #
     """
     order = ordered(submission, given)
     folder = ready(output)
+    paths = ready_for(folder, given["formats"])
     result = graded(order)
     written = stored(folder, result)
+    write_formats(paths, result, order.language)
     with patient_stdout():
         if quiet:
             click.echo(points_only(result))

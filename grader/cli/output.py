@@ -13,7 +13,7 @@ from grader.model.grade import Grade
 RESULT = "result.json"
 
 
-def ready(folder: Path) -> Path:
+def ready(folder: Path, name: str = RESULT) -> Path:
     """Create an output folder and prove that a result can be written into it.
 
     Raises:
@@ -21,9 +21,9 @@ def ready(folder: Path) -> Path:
     """
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        if (folder / RESULT).is_dir():
-            raise UsageError(f"{folder / RESULT} is a folder, but the result goes there.")
-        trial = folder / f".{RESULT}-{secrets.token_hex(8)}"
+        if (folder / name).is_dir():
+            raise UsageError(f"{folder / name} is a folder, but the result goes there.")
+        trial = folder / f".{name}-{secrets.token_hex(8)}"
         trial.touch(exist_ok=False)
         trial.unlink()
     except OSError as fault:
@@ -35,6 +35,11 @@ def ready(folder: Path) -> Path:
 
 
 def write_whole(path: Path, text: str) -> None:
+    """Write a file of text so that a reader sees the old one or the new one, never a part."""
+    write_bytes_whole(path, text.encode("utf-8"), "grade again into another folder")
+
+
+def write_bytes_whole(path: Path, data: bytes, remedy: str) -> None:
     """Write a file so that a reader sees the old one or the new one, never a part.
 
     Raises:
@@ -42,12 +47,15 @@ def write_whole(path: Path, text: str) -> None:
     """
     unfinished = path.with_name(f".{path.name}-{secrets.token_hex(8)}")
     try:
-        with unfinished.open("x", encoding="utf-8", newline="\n") as file:
-            file.write(text)
+        with unfinished.open("xb") as file:
+            file.write(data)
+        if path.exists():
+            # Who may read a gradebook stays as it was.
+            unfinished.chmod(path.stat().st_mode & 0o777)
         unfinished.replace(path)
     except OSError as fault:
         raise OutputFault(
-            f"{path} could not be written: {fault.strerror}; grade again into another folder."
+            f"{path} could not be written: {fault.strerror}; {remedy}."
         ) from fault
     finally:
         with suppress(OSError):

@@ -7,6 +7,7 @@ One function a format, and no other place escapes. Each makes the text visible f
 import html
 import json
 import re
+from collections.abc import Iterable
 from typing import Any
 
 from grader.errors import OutputFault
@@ -20,6 +21,8 @@ SHORTER = (FIELD_LIMIT, 1000, 250)
 
 _LOG_COMMAND = re.compile(r"##(?=\w*\[)")
 _LINE_COMMAND = re.compile(r"^([^\S\n]*):(?=:.*::)", re.MULTILINE)
+_STRING = re.compile(r'"(?:[^"\\]|\\.)*"')
+_PUNCTUATION = re.compile(r"[!-/:-@\[-`{-~]")
 _NUMBER = r"[+-][\d.]{1,30}(?:e[+-]?\d{1,3})?"
 _FORMULA = re.compile(  # a cell that is a number and the numbers of a vector are left alone
     rf"""(?:^(?!{_NUMBER}$)|,\s*(?!{_NUMBER}[,)\]])|[;|"']\s*)"""
@@ -139,6 +142,46 @@ def for_workflow_property(text: str) -> str:
     (UnescapeProperty).
     """
     return for_workflow(text).replace(":", "%3A").replace(",", "%2C")
+
+
+def for_autolab(value: Any) -> str:  # noqa: ANN401 - any JSON value
+    r"""Write a value as JSON on one line that Autolab reads as its autoresult.
+
+    Before it decodes that line, Autolab puts quotes around every `word:`, inside of texts too
+    (assessment_autograde_core.rb, parseAutoresult). A colon within a text is spelled `\u003a`.
+    """
+    line = " ".join(for_json(value).split("\n"))
+    return _STRING.sub(lambda text: text[0].replace(":", "\\u003a"), line)
+
+
+def for_markdown(text: str) -> str:
+    """Write text for GitHub's Markdown, on one line, also as a cell of a table.
+
+    Every mark of ASCII becomes a character reference, which can never be markup (CommonMark,
+    6.2; the same holds for the bars of a table). GitHub's own filters look at what is left for
+    names, hashes and smileys, but not inside `code`, where a stranger's text belongs.
+    """
+    return _PUNCTUATION.sub(lambda found: f"&#{ord(found[0])};", one_line(text))
+
+
+def code_for_markdown(text: str) -> str:
+    """Write a stranger's text for GitHub's Markdown, on one line."""
+    return f"<code>{for_markdown(text)}</code>"
+
+
+def for_moodle(lines: Iterable[str]) -> str:
+    """Write a cell of CSV that Moodle shows as HTML: feedback, one line below the other.
+
+    Moodle keeps a feedback comment as HTML (assignfeedback_offline), so a stranger's `<` would
+    begin an element there. What no longer fits into the cell is left out as whole lines.
+    """
+    kept: list[str] = []
+    for line in map(for_html, map(one_line, lines)):
+        if len("<br>".join([*kept, line, "..."])) > FIELD_LIMIT:
+            kept.append("...")
+            break
+        kept.append(line)
+    return for_csv("<br>".join(kept))
 
 
 def _shown(value: Any, limit: int) -> Any:  # noqa: ANN401 - any JSON value

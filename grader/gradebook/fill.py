@@ -1,0 +1,142 @@
+"""How does a result get into a row? Points as the file writes numbers, and words as one cell.
+
+What Moodle would pass over without a word is told instead, and so is every row that is left as
+it was. Nothing is scaled: an assignment out of 100 would turn 50 points into half of them.
+"""
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from grader.errors import UsageError
+from grader.gradebook.columns import NO, Asked, Columns, columns_of
+from grader.gradebook.feedback import feedback_cell
+from grader.gradebook.matching import matched
+from grader.gradebook.results import Marked
+from grader.gradebook.table import Line, Table, read_table, written
+from grader.language import Words
+
+_COMMA = re.compile(r"\d+,\d+")
+_NUMBER = re.compile(r"\d+(?:[.,]\d+)?")
+_POSSIBLE = "Points Possible"
+"""Stands in the first cell of a row of Canvas that is no student."""
+
+
+@dataclass(frozen=True, slots=True)
+class Filled:
+    """A file with results in it, and what is to be said about that."""
+
+    data: bytes
+    filled: int
+    """Rows that got their result."""
+
+    rows: int
+    empty: tuple[str, ...]
+    """Rows without a result: nothing was handed in."""
+
+    problems: tuple[str, ...]
+    """Results that are in no row, and why."""
+
+
+def filled(
+    data: bytes, host: str, asked: Asked, given: Sequence[Marked], words: Words
+) -> Filled:
+    """Fill a teacher's file.
+
+    Raises:
+        UsageError: It is not such a file, or its assignment has another maximum.
+    """
+    table = read_table(data)
+    columns = columns_of(table.header, host, asked)
+    lines = list(table.lines)
+    rows = students(table, host, columns)
+    found = matched(rows, columns, given)
+    if not found.pairs:
+        raise UsageError(f"no row has any of the {len(given)} students; {found.problems[0]}")
+    comma = writes_commas(table, columns)
+    problems = list(found.problems)
+    for place, marked in found.pairs:
+        same_maximum(lines, place, columns, marked)
+        if reason := untouched(lines[place], columns, marked):
+            problems.append(f"{marked.student}: row {place + 1} is left as it was: {reason}")
+            continue
+        cell = grade_cell(marked.result["score"], comma, table.delimiter)
+        lines[place] = lines[place].changed(columns.grade, cell)
+        if columns.feedback is not None:
+            cell = feedback_cell(marked.result, host, words)
+            lines[place] = lines[place].changed(columns.feedback, cell)
+    taken = {place for place, _ in found.pairs}
+    empty = [name_of(place, line) for place, line in rows if place not in taken]
+    kept = len(problems) - len(found.problems)
+    return Filled(
+        written(replace(table, lines=tuple(lines))),
+        len(found.pairs) - kept,
+        len(rows),
+        tuple(empty),
+        tuple(problems),
+    )
+
+
+def students(table: Table, host: str, columns: Columns) -> list[tuple[int, Line]]:
+    """List the rows that are students, with their index."""
+    ids = [number for _, numbers in columns.ids for number in numbers]
+    return [
+        (place, line)
+        for place, line in enumerate(table.lines)
+        if place
+        and any(line.value(number).strip() for number in ids)
+        and not (host == "canvas" and _POSSIBLE in line.value(0))
+    ]
+
+
+def writes_commas(table: Table, columns: Columns) -> bool:
+    """Tell whether the file's own numbers have a comma in them."""
+    numbers = [n for n in (columns.grade, columns.maximum) if n is not None]
+    return any(_COMMA.fullmatch(line.value(n)) for line in table.lines for n in numbers)
+
+
+def same_maximum(lines: Sequence[Line], place: int, columns: Columns, marked: Marked) -> None:
+    """Compare the maximum of the assignment with that of the result.
+
+    Raises:
+        UsageError: They differ, so the points would mean something else there.
+    """
+    said = [lines[place].value(columns.maximum)] if columns.maximum is not None else []
+    said += [line.value(columns.grade) for line in lines if _POSSIBLE in line.value(0)]
+    for text in said:
+        there = number_in(text)
+        if there is not None and there != marked.result["max_score"]:
+            raise UsageError(
+                f"the assignment is out of {there:g} points, but results are out of "
+                f"{marked.result['max_score']:g}; change it there and download the file again"
+            )
+
+
+def number_in(text: str) -> float | None:
+    """Read a number as the file writes it; None if there is none."""
+    found = _NUMBER.fullmatch(text.strip())
+    return float(found[0].replace(",", ".")) if found else None
+
+
+def untouched(line: Line, columns: Columns, marked: Marked) -> str:
+    """Say why a row has to stay as it is; empty if it has not."""
+    if marked.result["score"] is None:
+        return "the score is withheld, since the grader itself failed"
+    changeable = "" if columns.changeable is None else line.value(columns.changeable)
+    if changeable.strip().casefold() in NO:
+        return "its grade cannot be changed there"
+    if line.value(columns.grade).strip().casefold() == "ex":
+        return "this student is excused"
+    return ""
+
+
+def grade_cell(score: float, comma: bool, delimiter: str) -> str:
+    """Write points."""
+    text = f"{score:.10g}"
+    text = text.replace(".", ",") if comma else text
+    return f'"{text}"' if delimiter in text else text
+
+
+def name_of(place: int, line: Line) -> str:
+    """Name a row for people: its first two cells say who it is in every one of these files."""
+    return f"row {place + 1}: {', '.join(filter(None, (line.value(0), line.value(1))))}"

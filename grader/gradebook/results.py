@@ -1,0 +1,140 @@
+"""Which results lie in a folder, and whose are they?
+
+A student is known by the name of the folder that holds `result.json`, which the course chose or
+the platform gave when it packed all submissions. What stands inside of a result says nothing
+about that: a submission's own name is the student's to choose.
+
+Source of the two names of folders: Moodle, mod/assign/locallib.php (`Ada Lovelace_123_
+assignsubmission_file`, 123 being what the worksheet calls Participant 123), and Canvas's
+"Download Submissions" (`lovelaceada_LATE_9001_55_exercise03`, 9001 being the user's ID).
+"""
+
+import json
+import os
+import re
+import stat
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from grader.errors import UsageError
+from grader.gradebook.shape import fault_in
+from grader.report.as_json import SCHEMA_VERSION, Json, schema_text
+from grader.report.escape import LARGEST_JSON
+
+RESULT = "result.json"
+USUAL_OUTPUT = "bvhgrade-out"
+"""Where `bvhgrade grade` writes by itself; the folder above it is the student's then."""
+
+_MOODLE = re.compile(r"(?P<full_name>.+?)_(?P<participant>\d+)_assignsubmission_")
+_CANVAS = re.compile(r"[^\W_]+_(?:LATE_)?(?P<canvas>\d+)_\d+_", re.IGNORECASE)
+_READ = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC
+
+
+@dataclass(frozen=True, slots=True)
+class Ids:
+    """What a course's own file may call a student; empty where the folder does not tell."""
+
+    account: str = ""
+    """A login name, an address, a number: the folder's name if no platform made it."""
+
+    participant: str = ""
+    """Moodle's number of the participant in this assignment."""
+
+    canvas: str = ""
+    """Canvas's number of the user."""
+
+    full_name: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Marked:
+    """One result and whose it is."""
+
+    student: str
+    """Name of the folder, for people."""
+
+    ids: Ids
+    result: Json
+
+
+def results_in(folder: Path) -> list[Marked]:
+    """Read every result below a folder, in the order of their folders.
+
+    Nothing below a folder that holds a result is looked at, and no link is followed.
+
+    Raises:
+        UsageError: There is none, or one is damaged.
+    """
+    found: list[Marked] = []
+    for here, folders, files in os.walk(folder, onerror=_unread):
+        folders.sort()
+        if RESULT in files:
+            folders.clear()
+            path = Path(here)
+            name = path.resolve().name
+            name = path.resolve().parent.name if name == USUAL_OUTPUT else name
+            found.append(Marked(name, ids_of(name), read_result(path / RESULT)))
+    if not found:
+        raise UsageError(f"{folder}: no {RESULT} below it; name the folder of the results")
+    return found
+
+
+def _unread(fault: OSError) -> None:
+    raise UsageError(f"{fault.filename}: {fault.strerror}, but results may lie there")
+
+
+def ids_of(name: str) -> Ids:
+    """Read what the name of a folder tells.
+
+    Only its beginning counts: a platform appends the file's name, and that is a stranger's.
+    """
+    if found := _MOODLE.match(name):
+        return Ids(participant=found["participant"], full_name=found["full_name"])
+    if found := _CANVAS.match(name):
+        return Ids(canvas=found["canvas"])
+    return Ids(account=name, canvas=name if name.isdecimal() else "", full_name=name)
+
+
+def read_result(path: Path) -> Json:
+    """Read one `result.json`, strictly.
+
+    Raises:
+        UsageError: It cannot be read, or is not what the grader writes.
+    """
+    text = _content(path)
+    try:
+        value: Any = json.loads(text, parse_constant=_refuse)
+    except (ValueError, RecursionError) as fault:
+        raise _damaged(path, f"it is not JSON ({fault})") from fault
+    version = value.get("schema") if isinstance(value, dict) else None
+    if version != SCHEMA_VERSION:
+        raise _damaged(
+            path, f"schema is {str(version)[:20]}, but {SCHEMA_VERSION} is read here"
+        )
+    if fault_there := fault_in(value, json.loads(schema_text())):
+        raise _damaged(path, fault_there)
+    result: Json = value
+    return result
+
+
+def _content(path: Path) -> bytes:
+    """Read a plain file of the size that a result may have."""
+    try:
+        with open(os.open(path, _READ), "rb") as file:  # noqa: PTH123 - a descriptor, not a path
+            if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
+                raise _damaged(path, "it is not a file")
+            content = file.read(LARGEST_JSON + 1)
+    except OSError as fault:
+        raise _damaged(path, fault.strerror or "it cannot be read") from fault
+    if len(content) > LARGEST_JSON:
+        raise _damaged(path, f"it has more than {LARGEST_JSON:,} bytes")
+    return content
+
+
+def _refuse(name: str) -> float:
+    raise ValueError(f"{name} is no number")
+
+
+def _damaged(path: Path, reason: str) -> UsageError:
+    return UsageError(f"{path}: {reason}; grade this submission again")

@@ -1,0 +1,145 @@
+"""How does GitHub read a result? Log lines, a step's summary, and an output for Classroom.
+
+Log: GitHub shows at most 10 errors and 10 warnings of a step, so each cause gets one, the worst
+first. Everything else is printed while commands are stopped. The word that lets commands work
+again is a hash of the result, which nobody whom the result quotes could foresee.
+
+Summary: Markdown of at most 1 MiB; a larger one is lost as a whole.
+
+Classroom: `result=` and base64, as autograding-command-grader writes it for `GITHUB_OUTPUT`.
+The reporter (autograding-grading-reporter) prints names and messages as they are, so they are
+without commands here. It sends the sum of the tests' scores, unless `max_score` is 0. That is
+what a withheld score makes it: nothing is sent then, and the job fails as an error.
+
+Source: github/docs, workflow-commands.md; actions/toolkit; the two named actions.
+"""
+
+import base64
+import hashlib
+from collections.abc import Iterator
+
+from grader.language import Words
+from grader.report.as_json import Json
+from grader.report.escape import (
+    for_json,
+    for_terminal,
+    for_workflow,
+    for_workflow_property,
+    line_for_terminal,
+)
+from grader.report.hosts.told import (
+    Row,
+    rows,
+    summary,
+    unbuilt,
+    withheld,
+    worst_first,
+    worth,
+)
+
+FILE = "src/exercise03.cpp"
+
+MOST_ANNOTATIONS = 10
+"""Of each kind in a step; GitHub drops the rest without a word."""
+
+STATUS = {"pass": "pass", "fail": "fail", "blocked": "fail", "broken": "error"}
+
+
+def log(result: Json, words: Words = str) -> str:
+    """Write what a step prints: annotations, then the report with commands stopped."""
+    resume = hashlib.sha256(for_json(result).encode()).hexdigest()
+    shown = rows(result, words)
+    report = [for_terminal(summary(result, words)), ""]
+    for row in shown:
+        line = f"{words(row.verdict)}: {row.id}: {row.title} ({worth(row, words)})"
+        report.append(line_for_terminal(line))
+        report += [f"    {line}" for line in for_terminal(row.text).split("\n") if line]
+    annotations = [*errors(result, shown, words), *warnings(result)]
+    return "\n".join([*annotations, f"::stop-commands::{resume}", *report, f"::{resume}::", ""])
+
+
+def errors(result: Json, shown: list[Row], words: Words) -> list[str]:
+    """Write an error for each cause, the worst first."""
+    if result["score"] is None:
+        return [annotation("error", "bvhgrade", withheld(words))]
+    if not result["build"]["ok"]:
+        return [*broken_build(result, words)][:MOST_ANNOTATIONS]
+    causes: dict[str, Row] = {}
+    for row in worst_first(shown):
+        causes.setdefault(row.cause or row.id, row)
+    told = [
+        annotation("error", row.id, f"{row.title}\n{row.text}", row.line)
+        for row in causes.values()
+    ]
+    return told[:MOST_ANNOTATIONS]
+
+
+def broken_build(result: Json, words: Words) -> Iterator[str]:
+    """Write an error for each error of the compiler, in its order; else the reason."""
+    said = [one for one in result["build"]["diagnostics"] if one["severity"] == "error"]
+    if not any(one["line"] for one in said):
+        yield annotation("error", "build.compiles", unbuilt(result, words))
+        return
+    for one in said:
+        yield annotation("error", "build.compiles", one["text"], one["line"], one["column"])
+
+
+def warnings(result: Json) -> list[str]:
+    """Write a warning for each warning of the compiler that has a line; none is graded."""
+    said = [
+        annotation("warning", "g++", one["text"], one["line"], one["column"])
+        for one in result["build"]["diagnostics"]
+        if one["severity"] == "warning" and one["line"]
+    ]
+    return said[:MOST_ANNOTATIONS]
+
+
+def annotation(kind: str, title: str, text: str, line: int = 0, column: int = 0) -> str:
+    """Write one annotation."""
+    place = [f"file={for_workflow_property(FILE)}"]
+    place += [f"line={line}"] if line else []
+    place += [f"col={column}"] if line and column else []
+    place.append(f"title={for_workflow_property(title)}")
+    return f"::{kind} {','.join(place)}::{for_workflow(text)}"
+
+
+def output(result: Json, words: Words = str) -> str:
+    """Write the line for `GITHUB_OUTPUT` that the reporter of Classroom reads."""
+    told = for_json(classroom(result, words)).encode()
+    return f"result={base64.b64encode(told).decode('ascii')}\n"
+
+
+def classroom(result: Json, words: Words) -> Json:
+    """Say what Classroom is told."""
+    if result["score"] is None:
+        message = line_for_terminal(withheld(words))
+        test = {"name": "bvhgrade", "status": "error", "message": message}
+        return {"version": 1, "status": "error", "max_score": 0, "tests": [test]}
+    shown = rows(result, words)
+    # By the checks and not by the points: a rubric may be worth nothing.
+    status = "pass" if all(row.verdict == "pass" for row in shown) else "fail"
+    return {
+        "version": 1,
+        "status": status,
+        "max_score": result["max_score"],
+        "tests": [classroom_test(row) for row in shown],
+    }
+
+
+def classroom_test(row: Row) -> Json:
+    """Write one check; the reporter prints its name and message into the log."""
+    return {
+        "name": line_for_terminal(f"{row.id} {row.title}"),
+        "status": STATUS[row.verdict],
+        "score": row.score,
+        "message": line_for_terminal(row.text or headline_of(row)),
+        "test_code": f"bvhgrade check --only {row.id}",
+        "filename": FILE,
+        "line_no": row.line,
+        "duration": 0,
+    }
+
+
+def headline_of(row: Row) -> str:
+    """Word a check that has nothing to say; without it the reporter says it did not run."""
+    return f"{row.title} ({worth(row)})"

@@ -1,0 +1,213 @@
+"""What does every host say about a result? Decided once: what is shown, worst first, in words.
+
+A host without a way to hide a check gets one row for all that are hidden or wait for the due
+date: their points belong to the sum, and nothing else of them is told. A fault of the grader is
+told in one fixed sentence, since its message is a traceback for a maintainer.
+"""
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from grader.language import Words
+from grader.report.as_json import Json
+
+VISIBLE = "visible"
+
+NOT_SHOWN = "checks.not-shown"
+"""Id of the row for everything that is not shown."""
+
+_SHARE = re.compile(r"(.*) This explains ([\d,]+) of ([\d,]+) places\.", re.DOTALL)
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """One line of a host's table: a check, or all those that are not shown."""
+
+    id: str
+    part: str
+    title: str
+    verdict: str
+    score: float | None
+    """None if withheld."""
+
+    max_score: float
+    text: str
+    """What a student reads about it; empty if there is nothing to say. Still a stranger's."""
+
+    cause: str = ""
+    """Equal for checks that likely fail for the same reason; empty if unsure."""
+
+    visibility: str = VISIBLE
+    stop: str = "finished"
+    line: int = 0
+    """Line of the student's file; 0 if none is known."""
+
+
+def rows(result: Json, words: Words = str) -> list[Row]:
+    """List the checks that are shown, and what the others are worth together."""
+    hidden = [one for one in result["checks"] if one["visibility"] != VISIBLE]
+    shown = [row for row in every_row(result, words) if row.visibility == VISIBLE]
+    return [*shown, not_shown(hidden, words)] if hidden else shown
+
+
+def every_row(result: Json, words: Words = str) -> list[Row]:
+    """List all checks, for a host that hides what it is told to hide."""
+    secret = {one["id"] for one in result["checks"] if one["visibility"] != VISIBLE}
+    return [row_of(one, secret, words) for one in result["checks"]]
+
+
+def row_of(check: Json, secret: set[str], words: Words) -> Row:
+    """Turn a check into a row."""
+    place = check["location"]
+    return Row(
+        check["id"],
+        check["part"],
+        words(check["title"]),
+        check["verdict"],
+        check["score"],
+        check["max_score"],
+        "\n".join(explained(check, secret, words)),
+        split_hint(check["hint"])[0] if check["verdict"] == "fail" else "",
+        check["visibility"],
+        check["stop"],
+        (place and place["line"]) or 0,
+    )
+
+
+def not_shown(hidden: list[Json], words: Words) -> Row:
+    """Add up the checks that are not shown; nothing tells which of them holds."""
+    scores = [one["score"] for one in hidden]
+    broken = any(score is None for score in scores)
+    holds = all(one["verdict"] == "pass" for one in hidden)
+    return Row(
+        NOT_SHOWN,
+        "both",
+        words("Checks that are not shown here"),
+        "broken" if broken else "pass" if holds else "fail",
+        None if broken else sum(scores),
+        sum(one["max_score"] for one in hidden),
+        words("The grader itself failed here; it costs no points.") if broken else "",
+    )
+
+
+def explained(check: Json, secret: set[str], words: Words) -> Iterator[str]:
+    """Word what a student reads about a check, line by line."""
+    if check["verdict"] == "fail":
+        yield from failure(check, words)
+    elif check["verdict"] == "broken":
+        yield words("The grader itself failed here; it costs no points.")
+    elif check["blocked_by"] in secret:
+        yield words("waits for a check that is not shown")
+    elif check["blocked_by"] is not None:
+        yield words("waits for {check}").format(check=check["blocked_by"])
+    elif check["message"]:
+        yield check["message"]
+
+
+def failure(check: Json, words: Words) -> Iterator[str]:
+    """Word a failure as the terminal does: what, where, and what likely is misunderstood."""
+    if check["message"]:
+        yield check["message"]
+    for label in ("expected", "got"):
+        if check[label]:
+            yield f"{words(label)}: {check[label]}"
+    others = [one["message"] for one in check["examples"]]
+    for message in others:
+        if message not in check["message"]:
+            yield f"{words('example')}: {message}"
+    if check["location"] is not None:
+        yield f"{words('look at')}: {where(check['location'], words)}"
+    if check["hint"]:
+        yield f"{words('cause')}: {hint(check['hint'], words)}"
+
+
+def where(location: Json, words: Words) -> str:
+    """Word a place in the student's file."""
+    place: str = location["file"] + (f":{location['line']}" if location["line"] else "")
+    if not location["function"]:
+        return place
+    return words("{place} in {function}").format(place=place, function=location["function"])
+
+
+def split_hint(text: str) -> tuple[str, tuple[str, str] | None]:
+    """Take a likely cause apart: its sentence, and how many of how many places it explains."""
+    found = _SHARE.fullmatch(text)
+    return (found[1], (found[2], found[3])) if found else (text, None)
+
+
+def hint(text: str, words: Words) -> str:
+    """Word the likely cause of a failure in a language."""
+    sentence, share = split_hint(text)
+    if share is None:
+        return words(sentence)
+    told = words("This explains {fits} of {places} places.")
+    return f"{words(sentence)} {told.format(fits=share[0], places=share[1])}"
+
+
+def worst_first(given: list[Row]) -> list[Row]:
+    """Order the failures by the points they cost; those of equal cost keep their order."""
+    failed = [row for row in given if row.verdict == "fail"]
+    return sorted(failed, key=lost, reverse=True)
+
+
+def lost(row: Row) -> float:
+    """Count the points that a row lost for sure."""
+    return 0 if row.score is None else row.max_score - row.score
+
+
+def headline(result: Json, words: Words = str) -> str:
+    """Word the score, or that nobody knows it."""
+    if result["score"] is None:
+        return withheld(words)
+    score = words("{score} of {possible}")
+    score = score.format(score=f"{result['score']:g}", possible=f"{result['max_score']:g}")
+    return words("{score} points").format(score=score)
+
+
+def withheld(words: Words = str) -> str:
+    """Say that there is no score, and that this is nobody's loss."""
+    return words(
+        "The score is withheld: the grader itself failed, which costs no points. "
+        "Somebody of the course has to look."
+    )
+
+
+def worth(row: Row, words: Words = str) -> str:
+    """Word what a row is worth."""
+    if row.score is None:
+        return words("withheld")
+    if not row.max_score:
+        return words("gate")
+    score = words("{score} of {possible}")
+    return score.format(score=f"{row.score:g}", possible=f"{row.max_score:g}")
+
+
+def unbuilt(result: Json, words: Words = str) -> str:
+    """Say why nothing could be graded; empty if there was a program to judge."""
+    if result["build"]["ok"]:
+        return ""
+    said = result["build"]["diagnostics"]
+    if result["submission"]["sha256"] is None:
+        heading = words("There is no file to grade")
+    elif not said:
+        return ""
+    else:
+        heading = words("The file does not compile")
+    return "\n".join([heading, *(diagnostic(one) for one in said)])
+
+
+def diagnostic(given: Json) -> str:
+    """Word one message of the compiler."""
+    place = f"{given['line']}:{given['column']}: " if given["line"] else ""
+    told: str = f"{given['severity']}: {given['text']}"
+    return place + told
+
+
+def summary(result: Json, words: Words = str) -> str:
+    """Say the score, the points of each part, and why nothing was graded if so."""
+    told = [headline(result, words)]
+    for part in result["parts"]:
+        row = Row("", part["id"], "", "", part["score"], part["max_score"], "")
+        told.append(f"{part['id']}) {words(part['title'])}: {worth(row, words)}")
+    return "\n".join([*told, *filter(None, [unbuilt(result, words)])])
