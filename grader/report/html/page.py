@@ -8,7 +8,7 @@ value by themselves (jinja2), after it was made visible by `printable`.
 import base64
 import hashlib
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cache
 from importlib.resources import files
 from typing import TYPE_CHECKING
@@ -20,6 +20,13 @@ from grader.report.escape import inside_script
 if TYPE_CHECKING:
     from jinja2 import Environment
 
+STYLES = {"class": ("base.css", "class.css"), "report": ("base.css", "report.css")}
+SCRIPTS = {
+    "class": ("base.js", "class.js"),
+    "report": ("base.js", "space.js", "walk.js", "report.js"),
+}
+"""What stands in each page, in order."""
+
 
 def page(
     name: str, language: str, values: Mapping[str, object], data: Mapping[str, object]
@@ -27,29 +34,38 @@ def page(
     """Write a page.
 
     Args:
-        name: Of the template; style and script beside it have its name.
+        name: Of the template.
         language: `en` or `de`.
         values: For the template; every text in them is escaped there.
         data: By the names of the template, JSON for its script.
     """
     from markupsafe import Markup
 
-    style, script = source(f"{name}.css"), source(f"{name}.js")
-    environment = templates()
+    style, script = joined(STYLES[name]), joined(SCRIPTS[name])
     encoded = {
         # Every `<` is spelled as an escape in it, so nothing ends the element.
-        key: Markup(inside_script(json.dumps(value, separators=(",", ":"), allow_nan=False)))  # noqa: S704
+        key: Markup(inside_script(json.dumps(value, separators=(",", ":"), allow_nan=False)))  # noqa: S704 - inert
         for key, value in data.items()
     }
-    return environment.get_template(f"{name}.html").render(
-        **values,
-        **encoded,
-        _=translator(language),
-        language=language,
-        policy=policy(style, script),
-        style=Markup(style),  # noqa: S704 - ours
-        script=Markup(script),  # noqa: S704 - ours
+    return (
+        templates()
+        .get_template(f"{name}.html")
+        .render(
+            **values,
+            **encoded,
+            _=translator(language),
+            language=language,
+            policy=policy(style, script),
+            style=Markup(style),  # noqa: S704 - ours
+            script=Markup(script),  # noqa: S704 - ours
+        )
     )
+
+
+def joined(names: Sequence[str]) -> str:
+    """Join files of ours, without their comments and indentation."""
+    lines = [line.strip() for name in names for line in source(name).splitlines()]
+    return "\n".join(line for line in lines if line and not line.startswith("//"))
 
 
 def policy(style: str, script: str) -> str:

@@ -52,16 +52,9 @@
     setTimeout(() => URL.revokeObjectURL(link.href), 1000);
   });
 
-  const theme = byId("theme"), root = document.documentElement;
-  theme.addEventListener("click", () => {
-    const system = matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
-    const now = root.dataset.theme || system;
-    root.dataset.theme = now === "dark" ? "light" : "dark";
-  });
-
   byId("filter").addEventListener("submit", (event) => event.preventDefault());
   find.addEventListener("input", show);
   check.addEventListener("change", show);
-  byId("filter").hidden = theme.hidden = false;
+  byId("filter").hidden = false;
   show();
 })();

@@ -1,0 +1,168 @@
+"""What is there to fix, and in which order? Read from the values of a result."""
+
+import re
+import shlex
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from grader.language import Words
+from grader.report.facts import FILE
+from grader.report.hints import told
+
+Json = Mapping[str, Any]
+
+_SHARE = re.compile(r"(?s)(.*) This explains ([\d,]+) of ([\d,]+) places\.")
+"""How `likely_cause` ends; both sentences are translated one by one."""
+
+
+@dataclass(frozen=True, slots=True)
+class Failure:
+    """One failed check, as a person reads it."""
+
+    check: str
+    title: str
+    points: str
+    happened: str
+    facts: tuple[tuple[str, str, str], ...]
+    """Label, text and class of what was expected, what was there, and where."""
+
+    cause: str
+    hints: tuple[tuple[str, str], ...]
+    """Label and text, each told only to those who ask."""
+
+    commands: tuple[tuple[str, str], ...]
+    """Label and command."""
+
+    waiting: tuple[str, ...]
+    """Checks that cannot be decided before it passes."""
+
+    model: int | None
+    """Which model of the 3D view shows it."""
+
+
+def failures(result: Json, models: Sequence[Json], words: Words) -> list[Failure]:
+    """Explain every failed check, the one first that costs most."""
+    return [_failure(one, result, models, words) for one in worst_first(result)]
+
+
+def worst_first(result: Json) -> list[Json]:
+    """Sort failed checks by what they cost, with what waits for them."""
+    cost = {one["id"]: lost(one) for one in result["checks"]}
+    for one in result["checks"]:
+        if one["blocked_by"] in cost:
+            cost[one["blocked_by"]] += lost(one)
+    failed = [one for one in result["checks"] if one["verdict"] == "fail"]
+    return sorted(failed, key=lambda one: -float(cost[one["id"]]))
+
+
+def lost(check: Json) -> float:
+    """Say how many points a check costs; a withheld one costs nothing yet."""
+    return 0.0 if check["score"] is None else float(check["max_score"] - check["score"])
+
+
+def points(score: float | None, possible: float, words: Words) -> str:
+    """Write points: `4 of 5`, `gate`, `withheld`."""
+    if score is None:
+        return words("withheld")
+    if not possible:
+        return words("gate")
+    return words("{score} of {possible}").format(score=f"{score:g}", possible=f"{possible:g}")
+
+
+def idle_parts(result: Json) -> list[str]:
+    """Name the parts that were not started: no check of theirs failed, or waits for another."""
+    return [part["id"] for part in result["parts"] if _is_idle(part["id"], result["checks"])]
+
+
+def _is_idle(part: str, checks: Sequence[Json]) -> bool:
+    own = [one for one in checks if one["part"] == part]
+    undecided = all(one["verdict"] == "blocked" and one["blocked_by"] is None for one in own)
+    return bool(own) and undecided
+
+
+def _failure(check: Json, result: Json, models: Sequence[Json], words: Words) -> Failure:
+    shown = [place for place, one in enumerate(models) if one["check"] == check["id"]]
+    return Failure(
+        check=check["id"],
+        title=words(check["title"]),
+        points=points(check["score"], check["max_score"], words),
+        happened=check["message"],
+        facts=tuple(_facts(check, words)),
+        cause=cause(check["hint"], words),
+        hints=tuple(_hints(check["id"], words)),
+        commands=tuple(_commands(check, result, words)),
+        waiting=tuple(
+            one["id"] for one in result["checks"] if one["blocked_by"] == check["id"]
+        ),
+        model=shown[0] if shown else None,
+    )
+
+
+def _facts(check: Json, words: Words) -> list[tuple[str, str, str]]:
+    found = check["counterexample"]
+    facts = [
+        (words("expected"), check["expected"], "good"),
+        (words("got"), check["got"], "bad"),
+        (words("example"), "\n".join(_examples(check)), ""),
+        (words("smallest"), "" if found is None else size(found, words), ""),
+        (words("look at"), _place(check["location"], words), ""),
+    ]
+    return [fact for fact in facts if fact[1]]
+
+
+def _examples(check: Json) -> list[str]:
+    """Choose what the message did not say yet."""
+    told_already = check["message"]
+    return [
+        one["message"] for one in check["examples"] if one["message"] not in told_already
+    ]
+
+
+def size(found: Json, words: Words) -> str:
+    """Word how large a counterexample is."""
+    faces, rays = found["faces"], found["rays"]
+    face = words("1 face") if faces == 1 else words("{faces} faces").format(faces=f"{faces:,}")
+    if not rays:
+        return face
+    ray = words("1 ray") if rays == 1 else words("{rays} rays").format(rays=f"{rays:,}")
+    return f"{face}, {ray}"
+
+
+def _place(location: Json | None, words: Words) -> str:
+    if location is None:
+        return ""
+    line = "" if location["line"] is None else f":{location['line']}"
+    function = location["function"] or words("this file")
+    return words("{place} in {function}").format(
+        place=f"{location['file']}{line}", function=function
+    )
+
+
+def cause(hint: str, words: Words) -> str:
+    """Translate a likely cause, and how much speaks for it."""
+    found = _SHARE.fullmatch(hint)
+    if found is None:
+        return words(hint)
+    share = words("This explains {fits} of {places} places.")
+    return f"{words(found[1])} {share.format(fits=found[2], places=found[3])}"
+
+
+def _hints(check: str, words: Words) -> list[tuple[str, str]]:
+    known = told().get(check, {})
+    labelled = (
+        (words("A question that helps"), words(known.get("question", ""))),
+        (words("Something to try"), words(known.get("trial", ""))),
+    )
+    return [hint for hint in labelled if hint[1]]
+
+
+def _commands(check: Json, result: Json, words: Words) -> list[tuple[str, str]]:
+    if check["visibility"] != "visible":
+        return []
+    again = f"bvhgrade check {FILE} --seed {result['provenance']['seed']}"
+    commands = [(words("Run this check again"), f"{again} --only {check['id']}")]
+    if check["counterexample"] is not None:
+        file = shlex.quote(check["counterexample"]["file"])
+        commands.append((words("Run the smallest example alone"), f"{again} --replay {file}"))
+    return commands

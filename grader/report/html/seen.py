@@ -1,0 +1,134 @@
+"""How do pictures and models get into a page? As texts of ours around packed data."""
+
+import re
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from grader.errors import OutputFault
+from grader.language import Words
+from grader.plain import one_line
+from grader.report.colours import HEAT, MAGMA
+
+Json = Mapping[str, Any]
+
+LARGEST = 900_000
+"""Characters of packed data that a page takes; a browser gets slow, and mail refuses it."""
+
+_BASE64 = re.compile(r"[A-Za-z0-9+/]*={0,2}")
+
+STOPS = 12
+"""Colours of a legend; between them a browser interpolates."""
+
+
+def packed(text: str) -> str:
+    """Return base64 as it is.
+
+    Raises:
+        OutputFault: It is something else, which a page would have to escape.
+    """
+    if not _BASE64.fullmatch(text):
+        raise OutputFault("views.json holds an image or a mesh that is not base64.")
+    return text
+
+
+def pictures(views: Json, words: Words) -> list[dict[str, object]]:
+    """Describe each scene's pictures, those with mistakes first."""
+    most_wrong = sorted(views["pictures"], key=lambda one: not one.get("wrong"))
+    return [_picture(one, words) for one in most_wrong]
+
+
+def _picture(one: Json, words: Words) -> dict[str, object]:
+    from markupsafe import Markup
+
+    title = words(one_line(one["title"]))
+    images = {
+        # Base64 needs no escaping, and is longer than any text is allowed to be.
+        name: Markup("data:image/webp;base64," + packed(data))  # noqa: S704 - checked
+        for name, data in one["images"].items()
+    }
+    told = {"title": title, "width": one["width"], "height": one["height"], "images": images}
+    if "yours" not in images:
+        return told | {"summary": words("Your program brought no picture of this scene.")}
+    return told | _drawn(one, words)
+
+
+def _drawn(one: Json, words: Words) -> dict[str, object]:
+    boxes, triangles = one["cost_mean"]
+    cost = words("On average {boxes} box tests and {triangles} triangle tests per ray.")
+    return {
+        "summary": _summary(one, words),
+        "wrong": one["wrong"],
+        "ring": _ring(one),
+        "without_shadows": one["without_shadows"],
+        "scale": one["cost_scale"],
+        "cost": cost.format(boxes=f"{boxes:.1f}", triangles=f"{triangles:.1f}"),
+    }
+
+
+def _summary(one: Json, words: Words) -> str:
+    if not one["wrong"]:
+        return words("All {pixels} pixels agree with Mitsuba's picture.").format(
+            pixels=f"{one['pixels']:,}"
+        )
+    told = words("{wrong} of {pixels} pixels differ, the first in column {x}, row {y}.")
+    column, row = one["first_wrong"] or (0, 0)
+    return told.format(
+        wrong=f"{one['wrong']:,}", pixels=f"{one['pixels']:,}", x=column, y=row
+    )
+
+
+def _ring(one: Json) -> dict[str, float] | None:
+    """Where a ring leads the eye to the first wrong pixel, if few are wrong."""
+    if not one["first_wrong"] or one["wrong"] > one["pixels"] // 100:
+        return None
+    column, row = one["first_wrong"]
+    return {"x": column + 0.5, "y": row + 0.5, "r": one["width"] / 28}
+
+
+def legends() -> dict[str, list[tuple[int, str]]]:
+    """Return the colours of both scales: percent of the way and colour."""
+    places = [round(255 * stop / (STOPS - 1)) for stop in range(STOPS)]
+    return {
+        name: [
+            (round(100 * place / 255), "#" + bytes(table[place].tolist()).hex())
+            for place in places
+        ]
+        for name, table in (("difference", MAGMA), ("cost", HEAT))
+    }
+
+
+def models(views: Json, words: Words) -> list[dict[str, object]]:
+    """Copy models for the script, with a name for each.
+
+    Raises:
+        OutputFault: They are too much for a page.
+    """
+    made = [_model(one, words) for one in views["models"]]
+    total = sum(len(text) for one in views["models"] for text in _data(one))
+    total += sum(len(text) for one in views["pictures"] for text in one["images"].values())
+    if total > LARGEST:
+        raise OutputFault(f"views.json packs {total:,} characters; a page takes {LARGEST:,}.")
+    return made
+
+
+def _data(model: Json) -> Sequence[str]:
+    return packed(model["mesh"]["data"]), packed(model["boxes"]["data"])
+
+
+def _model(one: Json, words: Words) -> dict[str, object]:
+    ray = one["ray"]
+    return {
+        **{key: one[key] for key in ("faces", "node", "expected_box", "marked")},
+        **{key: dict(one[key]) for key in ("mesh", "boxes")},
+        "name": _name(one, words),
+        "ray": None if ray is None else {**ray, "sentence": one_line(ray["sentence"])},
+    }
+
+
+def _name(one: Json, words: Words) -> str:
+    faces = words("{faces} faces").format(faces=f"{one['faces']:,}")
+    if one["check"]:
+        return words("{check}: smallest example, {faces}").format(
+            check=one_line(one["check"]), faces=faces
+        )
+    return f"{words(one_line(one['title']))}, {faces}"

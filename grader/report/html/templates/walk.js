@@ -1,0 +1,90 @@
+// What of a model is shown: its mesh, boxes up to a level, the wrong node, a ray and its steps.
+const unpack = async (text) => {
+  const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
+  return new Response(stream).arrayBuffer();
+};
+
+// Everything is moved into a cube of side 2 around the origin, where float32 is good enough.
+const openModel = async (model) => {
+  const { low, high, vertices, faces } = model.mesh;
+  const [packed, corners] = await Promise.all([unpack(model.mesh.data), unpack(model.boxes.data)]);
+  const middle = low.map((x, k) => (x + high[k]) / 2);
+  const scale = 2 / (Math.max(...low.map((x, k) => high[k] - x)) || 1);
+  const moved = (p) => p.map((x, k) => Math.max(-1e4, Math.min(1e4, (x - middle[k % 3]) * scale)));
+  const mesh = { places: new Uint16Array(packed, 0, 3 * vertices), corners: new Uint32Array(packed.slice(6 * vertices)) };
+  const numbers = new Float32Array(corners), count = model.boxes.count;
+  const box = (node) => {
+    const found = numbers.subarray(6 * node, 6 * node + 6);
+    return node < count && found[0] <= found[3] ? moved([...found]) : null;
+  };
+  const boxLines = new Float32Array(72 * count);
+  for (let node = 0; node < count; node++) if (box(node)) boxLines.set(edgesOf(box(node)), 72 * node);
+  const place = (face) => {
+    const at = [...mesh.corners.subarray(3 * face, 3 * face + 3)];
+    return at.map((v) => moved([0, 1, 2].map((k) => low[k] + (mesh.places[3 * v + k] / 65535) * (high[k] - low[k]))));
+  };
+  // A coarsened mesh has other faces than the one that the steps name.
+  const whole = faces === model.faces;
+  return { model, mesh, box, boxLines, moved, scale, whole, place: (face) => (whole && face !== null && face < faces ? place(face) : null), low: moved(low), size: low.map((x, k) => (high[k] - x) * scale) };
+};
+
+const COLOURS = { plain: [.80, .77, .70], marked: [1, .70, 0], node: [1, .35, .31], expected: [.22, .84, .48], ray: [.13, .72, .91], visited: [.54, .64, 1], now: [1, .55, .1] };
+
+const stepBox = (opened, step) => (step.node === null ? null : opened.box(step.node));
+
+// The ray as a line, as far as anything happens on it, and dots where it hits.
+const rayLines = (opened) => {
+  const { ray } = opened.model, at = (t) => opened.moved(ray.origin.map((x, k) => x + t * ray.direction[k]));
+  const length = Math.hypot(...ray.direction) * opened.scale || 1;
+  const begin = opened.moved(ray.origin);
+  const known = [ray.expected_t, ray.got_t].filter((t) => t !== null && Math.abs(t) * length < 1e3);
+  const behind = (Math.hypot(...begin) + 1.8) / length;
+  const end = ray.t_max !== null && ray.t_max * length < 1e3 ? ray.t_max : Math.max(...known, behind);
+  const dot = (t) => [...at(t), ...at(t + .004 / length)];
+  const lines = [{ at: [...at(0), ...at(end)], colour: COLOURS.ray, wide: 2.5 }, { at: dot(0), colour: COLOURS.ray, wide: 7 }];
+  if (known.includes(ray.got_t)) lines.push({ at: dot(ray.got_t), colour: COLOURS.node, wide: 13 });
+  if (known.includes(ray.expected_t)) lines.push({ at: dot(ray.expected_t), colour: COLOURS.expected, wide: 9 });
+  return lines;
+};
+
+const stepLines = (opened, step) => {
+  const { steps } = opened.model.ray, lines = [];
+  const before = steps.slice(0, step).map((one) => stepBox(opened, one)).filter(Boolean);
+  if (before.length) lines.push({ at: before.flatMap(edgesOf), colour: [...COLOURS.visited, .8], wide: 1.4 });
+  const now = step > 0 && steps[step - 1], corners = now && opened.place(now.face);
+  if (now && stepBox(opened, now)) lines.push({ at: edgesOf(stepBox(opened, now)), colour: COLOURS.now, wide: 3.5 });
+  if (corners) lines.push({ at: corners.flatMap((p, k) => [...p, ...corners[(k + 1) % 3]]), colour: COLOURS.now, wide: 5 });
+  return lines;
+};
+
+const display = (opened, { level, only, step }) => {
+  const { model } = opened, lines = [];
+  const first = level < 0 || !only ? 0 : 2 ** level - 1, end = Math.min(2 ** (level + 1) - 1, model.boxes.count);
+  const faces = [{ colour: COLOURS.plain, runs: [0, model.mesh.faces] }];
+  if (model.marked.length) faces.push({ colour: COLOURS.marked, runs: model.marked });
+  if (model.ray) lines.push(...stepLines(opened, step));
+  const wrong = model.node === null ? null : opened.box(model.node);
+  if (wrong) lines.push({ at: edgesOf(wrong), colour: COLOURS.node, wide: 3.5 });
+  if (model.expected_box) lines.push({ at: edgesOf(opened.moved(model.expected_box)), colour: COLOURS.expected, wide: 3.5, dash: 16 });
+  if (model.ray) lines.push(...rayLines(opened));
+  return { low: opened.low, size: opened.size, faces, lines, first, count: Math.max(0, end - first) };
+};
+
+// What there is to explain in this view, by the names of the legend.
+const shownKeys = (opened, { level, step }) => {
+  const { model } = opened, { ray } = model;
+  return new Set([model.marked.length && "marked", model.node !== null && "node", model.expected_box && "expected", level >= 0 && "boxes",
+    ray && "ray", ray && ray.expected_t !== null && "hit", ray && ray.got_t !== null && "got", ray && step > 1 && "visited", ray && step > 0 && "now"]);
+};
+
+// A ray is seen best from the side, a wrong node from where it fills a third of the view.
+const viewpoint = (opened) => {
+  const { model } = opened, wrong = model.node === null ? null : opened.box(model.node);
+  if (model.ray) return { yaw: Math.atan2(model.ray.direction[0], model.ray.direction[2]) + 1.25, pitch: .3, far: 3.6 };
+  if (!wrong) return { far: 3.2 };
+  const all = [wrong, ...(model.expected_box ? [opened.moved(model.expected_box)] : [])];
+  const low = [0, 1, 2].map((k) => Math.min(...all.map((b) => b[k]))), high = [3, 4, 5].map((k) => Math.max(...all.map((b) => b[k])));
+  const wide = Math.hypot(...low.map((x, k) => high[k] - x));
+  return { at: low.map((x, k) => (x + high[k]) / 2), far: Math.max(.5, Math.min(4, wide * 1.5)) };
+};
