@@ -11,6 +11,7 @@ from grader.cli.certify import certify
 from grader.cli.export import export
 from grader.cli.grading import check, grade
 from grader.cli.installation import doctor, schema
+from grader.cli.reporting import report
 from grader.cli.scenes import scenes
 from grader.cli.status import INTERRUPTED, GraderGroup
 
@@ -21,7 +22,7 @@ def cli() -> None:
     """Grade a BVH exercise in C++: one file, two functions, 50 points."""
 
 
-for command in (check, grade, export, scenes, doctor, schema, certify):
+for command in (check, grade, report, export, scenes, doctor, schema, certify):
     cli.add_command(command)
 
 

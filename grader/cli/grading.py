@@ -21,13 +21,7 @@ from grader.cli.options import (
     time_option,
     unsafe_option,
 )
-from grader.cli.output import (
-    RESULT,
-    patient_stdout,
-    ready,
-    store_counterexamples,
-    write_whole,
-)
+from grader.cli.output import patient_stdout, ready, stored
 from grader.cli.progress import shown_progress
 from grader.cli.replaying import replayed
 from grader.cli.status import FULL_MARKS, LOST_POINTS, OUR_FAULT
@@ -64,6 +58,8 @@ class Order:
     """Whether what the rubric hides is left out."""
 
     language: str = "en"
+    views: bool = True
+    """Whether to draw what a report shows; who waits for the next save does without."""
 
 
 @click.command()
@@ -97,7 +93,7 @@ def check(submission: Path | None, watch: bool, **given: Any) -> None:  # noqa: 
     if watch:
         watch_over(order, folder)
     result = graded(order)
-    written = stored(folder, result)
+    written = stored(folder, result, order.language)
     with patient_stdout():
         report(result, order, written)
     raise Exit(status_of_check(result, order.only))
@@ -132,7 +128,7 @@ def grade(submission: Path, output: Path, quiet: bool, **given: Any) -> None:  #
     folder = ready(output)
     paths = ready_for(folder, given["formats"])
     result = graded(order)
-    written = stored(folder, result)
+    written = stored(folder, result, order.language)
     write_formats(paths, result, order.language)
     with patient_stdout():
         if quiet:
@@ -194,18 +190,9 @@ def graded(order: Order) -> Grade:
             counterexamples=True,
             isolated=order.isolated,
             for_student=order.for_student,
+            views=order.views,
         )
         return grade_one(order.path, options)
-
-
-def stored(folder: Path, result: Grade) -> Path:
-    """Write result.json and say where it lies."""
-    from grader.report.as_json import to_text
-
-    store_counterexamples(folder, result)
-    path = folder / RESULT
-    write_whole(path, to_text(result))
-    return path
 
 
 def report(result: Grade, order: Order, written: Path) -> None:
@@ -237,12 +224,12 @@ def watch_over(order: Order, folder: Path) -> NoReturn:
     from grader.report.problem import print_problem
 
     def tell(result: Grade, order: Order) -> None:
-        written = stored(folder, result)
+        written = stored(folder, result, order.language)
         click.echo(f"\n--- {datetime.now().astimezone():%H:%M:%S} ---")
         print_problem(Console(), result, occasion(order, written))
 
     click.echo(f"Watching {line_for_terminal(str(order.path))}; Ctrl-C ends.")
-    watch(order, Watch(graded, tell))
+    watch(replace(order, views=False), Watch(graded, tell))
 
 
 def repetition(order: Order) -> str:

@@ -1,16 +1,25 @@
 """Where do results go? Into a folder that was tried first, as whole files or not at all."""
 
+import json
 import os
 import secrets
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from grader.errors import OutputFault, UsageError
 from grader.model.grade import Grade
 
+if TYPE_CHECKING:
+    from grader.report.as_json import Json
+
 RESULT = "result.json"
+VIEWS = "views.json"
+"""What can be seen of the submission: `report.html` is made from it and from the result."""
+
+PAGE = "report.html"
 
 
 def ready(folder: Path, name: str = RESULT) -> Path:
@@ -60,6 +69,31 @@ def write_bytes_whole(path: Path, data: bytes, remedy: str) -> None:
     finally:
         with suppress(OSError):
             unfinished.unlink()
+
+
+def stored(folder: Path, result: Grade, language: str) -> Path:
+    """Write a result with everything that belongs to it, and say where the report lies."""
+    from grader.report.as_json import to_text
+    from grader.report.views import to_text as views_text
+
+    store_counterexamples(folder, result)
+    told = to_text(result)
+    write_whole(folder / RESULT, told)
+    views = None if result.views is None else views_text(result.views)
+    if views is None:
+        (folder / VIEWS).unlink(missing_ok=True)
+    else:
+        write_whole(folder / VIEWS, views)
+    return store_page(folder, json.loads(told), json.loads(views) if views else None, language)
+
+
+def store_page(folder: Path, result: "Json", views: "Json | None", language: str) -> Path:
+    """Write the page of a result, and say where it lies."""
+    from grader.report.html.submission import to_html
+
+    path = folder / PAGE
+    write_whole(path, to_html(result, views, language))
+    return path
 
 
 def store_counterexamples(folder: Path, result: Grade) -> None:

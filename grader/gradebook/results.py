@@ -59,22 +59,33 @@ class Marked:
 
 
 def results_in(folder: Path) -> list[Marked]:
-    """Read every result below a folder, in the order of their folders.
-
-    Nothing below a folder that holds a result is looked at, and no link is followed.
+    """Read every result that `result_paths` finds.
 
     Raises:
         UsageError: There is none, or one is damaged.
     """
     found: list[Marked] = []
+    for path in result_paths(folder):
+        here = path.resolve().parent
+        name = here.parent.name if here.name == USUAL_OUTPUT else here.name
+        found.append(Marked(name, ids_of(name), read_result(path)))
+    return found
+
+
+def result_paths(folder: Path) -> list[Path]:
+    """Find every result below a folder, in the order of their folders.
+
+    Nothing below a folder that holds a result is looked at, and no link is followed.
+
+    Raises:
+        UsageError: There is none.
+    """
+    found: list[Path] = []
     for here, folders, files in os.walk(folder, onerror=_unread):
         folders.sort()
         if RESULT in files:
             folders.clear()
-            path = Path(here)
-            name = path.resolve().name
-            name = path.resolve().parent.name if name == USUAL_OUTPUT else name
-            found.append(Marked(name, ids_of(name), read_result(path / RESULT)))
+            found.append(Path(here) / RESULT)
     if not found:
         raise UsageError(f"{folder}: no {RESULT} below it; name the folder of the results")
     return found
@@ -102,33 +113,46 @@ def read_result(path: Path) -> Json:
     Raises:
         UsageError: It cannot be read, or is not what the grader writes.
     """
-    text = _content(path)
+    value = read_json(path, LARGEST_JSON, SCHEMA_VERSION)
+    if fault_there := fault_in(value, json.loads(schema_text())):
+        raise _damaged(path, fault_there)
+    return value
+
+
+def read_json(path: Path, most: int, version: int) -> Json:
+    """Read an object of ours from a plain file.
+
+    Args:
+        path: The file; a link is refused.
+        most: Bytes that it may have.
+        version: What it says of its own `schema`.
+
+    Raises:
+        UsageError: It cannot be read, or is something else.
+    """
+    text = _content(path, most)
     try:
         value: Any = json.loads(text, parse_constant=_refuse)
     except (ValueError, RecursionError) as fault:
         raise _damaged(path, f"it is not JSON ({fault})") from fault
-    version = value.get("schema") if isinstance(value, dict) else None
-    if version != SCHEMA_VERSION:
-        raise _damaged(
-            path, f"schema is {str(version)[:20]}, but {SCHEMA_VERSION} is read here"
-        )
-    if fault_there := fault_in(value, json.loads(schema_text())):
-        raise _damaged(path, fault_there)
+    found = value.get("schema") if isinstance(value, dict) else None
+    if found != version:
+        raise _damaged(path, f"schema is {str(found)[:20]}, but {version} is read here")
     result: Json = value
     return result
 
 
-def _content(path: Path) -> bytes:
-    """Read a plain file of the size that a result may have."""
+def _content(path: Path, most: int) -> bytes:
+    """Read a plain file of the size that it may have."""
     try:
         with open(os.open(path, _READ), "rb") as file:  # noqa: PTH123 - a descriptor, not a path
             if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
                 raise _damaged(path, "it is not a file")
-            content = file.read(LARGEST_JSON + 1)
+            content = file.read(most + 1)
     except OSError as fault:
         raise _damaged(path, fault.strerror or "it cannot be read") from fault
-    if len(content) > LARGEST_JSON:
-        raise _damaged(path, f"it has more than {LARGEST_JSON:,} bytes")
+    if len(content) > most:
+        raise _damaged(path, f"it has more than {most:,} bytes")
     return content
 
 

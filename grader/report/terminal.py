@@ -181,7 +181,7 @@ def footer(sheet: Sheet, grade: Grade, occasion: Occasion) -> None:
         sheet.say(sheet.words("Note: {remark}.").format(remark=sheet.line(remark)), "yellow")
     if occasion.written is not None:
         where = sheet.line(str(occasion.written))
-        sheet.lines.append(Text.assemble((sheet.words("result") + "  ", "dim"), where))
+        sheet.lines.append(Text.assemble((sheet.words("report") + "  ", "dim"), where))
     spent = grade.timing
     times = sheet.words(
         "{total} s: compiling {compile}, submission {submission}, grader {grader}"

@@ -29,7 +29,8 @@ def test_check_tells_full_marks_lost_points_and_our_fault_apart(
     result = call("check", FILE)
     assert result.exit_code == status
     assert json.loads(Path(WRITTEN).read_text())["schema"] == 1
-    assert WRITTEN in result.stdout
+    assert "bvhgrade-out/report.html" in result.stdout
+    assert "<!doctype html>" in Path("bvhgrade-out/report.html").read_text()
 
 
 @pytest.mark.parametrize("name", samples.EVERY)

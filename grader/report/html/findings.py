@@ -114,9 +114,7 @@ def _facts(check: Json, words: Words) -> list[tuple[str, str, str]]:
 def _examples(check: Json) -> list[str]:
     """Choose what the message did not say yet."""
     told_already = check["message"]
-    return [
-        one["message"] for one in check["examples"] if one["message"] not in told_already
-    ]
+    return [one["message"] for one in check["examples"] if one["message"] not in told_already]
 
 
 def size(found: Json, words: Words) -> str:

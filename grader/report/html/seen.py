@@ -72,9 +72,7 @@ def _summary(one: Json, words: Words) -> str:
         )
     told = words("{wrong} of {pixels} pixels differ, the first in column {x}, row {y}.")
     column, row = one["first_wrong"] or (0, 0)
-    return told.format(
-        wrong=f"{one['wrong']:,}", pixels=f"{one['pixels']:,}", x=column, y=row
-    )
+    return told.format(wrong=f"{one['wrong']:,}", pixels=f"{one['pixels']:,}", x=column, y=row)
 
 
 def _ring(one: Json) -> dict[str, float] | None:

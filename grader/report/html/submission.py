@@ -78,8 +78,10 @@ def summary(result: Json, words: Words) -> str:
     """Say in one sentence how it ended."""
     if not result["build"]["ok"]:
         refused = result["submission"]["path"] is None
-        return words("There is no file to grade") if refused else words(
-            "The file does not compile"
+        return (
+            words("There is no file to grade")
+            if refused
+            else words("The file does not compile")
         )
     verdicts = [one["verdict"] for one in result["checks"]]
     failed, waiting = verdicts.count("fail"), verdicts.count("blocked")

@@ -1,0 +1,74 @@
+"""The command that writes pages anew from stored results."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from grader.cli.options import language_option
+from grader.cli.output import PAGE, RESULT, VIEWS, store_page, write_whole
+from grader.language import usual_language
+from grader.report.escape import line_for_terminal
+
+if TYPE_CHECKING:
+    from grader.report.class_row import Row
+
+CLASS = "class.html"
+LARGEST_VIEWS = 8 << 20
+"""Bytes of a `views.json`; what the grader writes has less than a tenth of that."""
+
+
+@click.command()
+@click.argument(
+    "folder", metavar="DIR", type=click.Path(exists=True, file_okay=False, path_type=Path)
+)
+@language_option
+def report(folder: Path, language: str | None) -> None:
+    """Write report.html anew for every result in DIR, and class.html over all.
+
+    DIR holds a result.json, or one folder a student with a result.json in it.
+
+    Exit status: 0 written, 2 a stored result cannot be used, 3 nothing could be written.
+    """
+    from grader.gradebook.results import result_paths
+
+    spoken = language or usual_language()
+    paths = result_paths(folder)
+    rows = [page_of(path, folder, spoken) for path in paths]
+    if paths == [folder / RESULT]:
+        click.echo(f"written: {line_for_terminal(str(folder / PAGE))}")
+        return
+    write_class(folder, rows, spoken)
+    name = line_for_terminal(str(folder / CLASS))
+    click.echo(f"written: {name}, and the reports of {len(rows)} submissions")
+
+
+def page_of(path: Path, folder: Path, language: str) -> "Row":
+    """Write the page of one result; returns the student's row in the table of the class.
+
+    Raises:
+        UsageError: A stored file cannot be used.
+        OutputFault: The page cannot be written.
+    """
+    from grader.gradebook.results import read_json, read_result
+    from grader.report.class_row import row_of
+    from grader.report.views import SCHEMA_VERSION
+
+    result, views = read_result(path), path.with_name(VIEWS)
+    seen = read_json(views, LARGEST_VIEWS, SCHEMA_VERSION) if views.is_file() else None
+    page = store_page(path.parent, result, seen, language)
+    return row_of(result, page.relative_to(folder).as_posix())
+
+
+def write_class(folder: Path, rows: Sequence["Row"], language: str) -> None:
+    """Write the page of a class.
+
+    Raises:
+        OutputFault: It cannot be written.
+    """
+    from grader import __version__
+    from grader.report.html.classroom import to_class_page
+
+    page = to_class_page(rows, f"bvhgrade {__version__}", language)
+    write_whole(folder / CLASS, page)
