@@ -125,9 +125,7 @@ def chart(bars: Sequence[Bar], words: Words) -> dict[str, object]:
 
 
 def _label(bar: Bar) -> str:
-    if bar.begin == bar.end:
-        return f"{bar.end:g}"
-    return f"{bar.begin:g} to {bar.end:g}"
+    return f"{bar.begin:g}" if bar.begin == bar.end else f"{bar.begin:g}\N{EN DASH}{bar.end:g}"
 
 
 def _row(row: Row, checks: Sequence[str], words: Words) -> dict[str, object]:
@@ -136,6 +134,7 @@ def _row(row: Row, checks: Sequence[str], words: Words) -> dict[str, object]:
         "name": row.name,
         "link": row.link,
         "note": row.note,
+        "withheld": row.score is None,
         "points": words("withheld") if row.score is None else f"{row.score:g}",
         "seconds": f"{row.seconds:.1f}",
         # What was not run at all looks like what could not be decided.

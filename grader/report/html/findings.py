@@ -12,6 +12,9 @@ from grader.report.hints import told
 
 Json = Mapping[str, Any]
 
+_COUNTED = re.compile(r"(?s)([\d,]+ of [\d,]+ wrong[^:]*): (.*)")
+"""How a check words what it counted, and then its first example."""
+
 _SHARE = re.compile(r"(?s)(.*) This explains ([\d,]+) of ([\d,]+) places\.")
 """How `likely_cause` ends; both sentences are translated one by one."""
 
@@ -24,6 +27,11 @@ class Failure:
     title: str
     points: str
     happened: str
+    """How much is wrong, and in which case first."""
+
+    where: str
+    """The first wrong place; empty if that says all."""
+
     facts: tuple[tuple[str, str, str], ...]
     """Label, text and class of what was expected, what was there, and where."""
 
@@ -48,12 +56,22 @@ def failures(result: Json, models: Sequence[Json], words: Words) -> list[Failure
 
 def worst_first(result: Json) -> list[Json]:
     """Sort failed checks by what they cost, with what waits for them."""
-    cost = {one["id"]: lost(one) for one in result["checks"]}
+    blocker = {one["id"]: one["blocked_by"] for one in result["checks"]}
+    cost = dict.fromkeys(blocker, 0.0)
     for one in result["checks"]:
-        if one["blocked_by"] in cost:
-            cost[one["blocked_by"]] += lost(one)
+        cost[_root(one["id"], blocker)] += lost(one)
     failed = [one for one in result["checks"] if one["verdict"] == "fail"]
     return sorted(failed, key=lambda one: -float(cost[one["id"]]))
+
+
+def _root(check: str, blocker: Mapping[str, str | None]) -> str:
+    """Follow what a check waits for to what does not wait."""
+    for _ in blocker:
+        before = blocker.get(check)
+        if before is None or before not in blocker:
+            break
+        check = before
+    return check
 
 
 def lost(check: Json) -> float:
@@ -71,23 +89,29 @@ def points(score: float | None, possible: float, words: Words) -> str:
 
 
 def idle_parts(result: Json) -> list[str]:
-    """Name the parts that were not started: no check of theirs failed, or waits for another."""
-    return [part["id"] for part in result["parts"] if _is_idle(part["id"], result["checks"])]
+    """Name the parts that were not started: all wait, and for nothing outside."""
+    checks = {one["id"]: one for one in result["checks"]}
+    return [part["id"] for part in result["parts"] if _is_idle(part["id"], checks)]
 
 
-def _is_idle(part: str, checks: Sequence[Json]) -> bool:
-    own = [one for one in checks if one["part"] == part]
-    undecided = all(one["verdict"] == "blocked" and one["blocked_by"] is None for one in own)
-    return bool(own) and undecided
+def _is_idle(part: str, checks: Mapping[str, Json]) -> bool:
+    blocker = {name: one["blocked_by"] for name, one in checks.items()}
+    own = [name for name, one in checks.items() if one["part"] == part]
+    roots = [checks[_root(name, blocker)] for name in own]
+    return bool(own) and all(
+        one["verdict"] == "blocked" and one["part"] == part for one in roots
+    )
 
 
 def _failure(check: Json, result: Json, models: Sequence[Json], words: Words) -> Failure:
+    happened, where = _first_place(check["message"])
     shown = [place for place, one in enumerate(models) if one["check"] == check["id"]]
     return Failure(
         check=check["id"],
         title=words(check["title"]),
         points=points(check["score"], check["max_score"], words),
-        happened=check["message"],
+        happened=happened,
+        where=where,
         facts=tuple(_facts(check, words)),
         cause=cause(check["hint"], words),
         hints=tuple(_hints(check["id"], words)),
@@ -97,6 +121,12 @@ def _failure(check: Json, result: Json, models: Sequence[Json], words: Words) ->
         ),
         model=shown[0] if shown else None,
     )
+
+
+def _first_place(message: str) -> tuple[str, str]:
+    """Split how many are wrong from the first of them."""
+    found = _COUNTED.fullmatch(message)
+    return (found[1], found[2]) if found else (message, "")
 
 
 def _facts(check: Json, words: Words) -> list[tuple[str, str, str]]:

@@ -19,6 +19,7 @@ from grader.report.escape import inside_script
 
 if TYPE_CHECKING:
     from jinja2 import Environment
+    from markupsafe import Markup
 
 STYLES = {"class": ("base.css", "class.css"), "report": ("base.css", "report.css")}
 SCRIPTS = {
@@ -104,7 +105,22 @@ def templates() -> "Environment":
         keep_trailing_newline=True,
     )
     environment.finalize = _visible
+    environment.filters["code"] = code
     return environment
+
+
+def code(text: str) -> "Markup":
+    """Write what stands between backticks as code; everything is escaped."""
+    from markupsafe import Markup
+
+    pieces = printable(text).split("`")
+    if len(pieces) % 2 == 0:
+        return Markup("{}").format(printable(text))
+    written = (
+        Markup("<code>{}</code>" if place % 2 else "{}").format(piece)
+        for place, piece in enumerate(pieces)
+    )
+    return Markup("").join(written)
 
 
 def _visible(value: object) -> object:

@@ -48,7 +48,8 @@ def _picture(one: Json, words: Words) -> dict[str, object]:
     }
     told = {"title": title, "width": one["width"], "height": one["height"], "images": images}
     if "yours" not in images:
-        return told | {"summary": words("Your program brought no picture of this scene.")}
+        told |= {"summary": words("Your program brought no picture of this scene.")}
+        return told | {"drawn": False, "wrong": None, "without_shadows": False}
     return told | _drawn(one, words)
 
 
@@ -56,6 +57,7 @@ def _drawn(one: Json, words: Words) -> dict[str, object]:
     boxes, triangles = one["cost_mean"]
     cost = words("On average {boxes} box tests and {triangles} triangle tests per ray.")
     return {
+        "drawn": True,
         "summary": _summary(one, words),
         "wrong": one["wrong"],
         "ring": _ring(one),

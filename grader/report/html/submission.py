@@ -87,12 +87,12 @@ def summary(result: Json, words: Words) -> str:
     failed, waiting = verdicts.count("fail"), verdicts.count("blocked")
     if verdicts.count("pass") == len(verdicts):
         return words("All {checks} checks pass.").format(checks=len(verdicts))
-    told = words("{failed} of {checks} checks failed.")
-    sentence = told.format(failed=failed, checks=len(verdicts))
+    told = []
+    if failed:
+        told.append(words("{failed} of {checks} checks failed."))
     if waiting:
-        more = words("{waiting} could not be decided.").format(waiting=waiting)
-        sentence = f"{sentence} {more}"
-    return sentence
+        told.append(words("{waiting} of {checks} checks could not be decided."))
+    return " ".join(told).format(failed=failed, waiting=waiting, checks=len(verdicts))
 
 
 def not_started(part: str, words: Words) -> str:
@@ -167,6 +167,10 @@ def script_words(words: Words) -> dict[str, str]:
         "outcome": words("expected t = {expected}, got t = {got}"),
         "none": words("no hit"),
         "coarse": words("shown with {faces} faces"),
-        "nodeOf": words("node {node}"),
+        "wrong": words(
+            "The box of node {node} is wrong: red is what was built, dashed green what it "
+            "should be"
+        ),
+        "node": words("Something is wrong with node {node}"),
         "step": words("step {step} of {steps}"),
     }

@@ -11,7 +11,7 @@
     let count = 0;
     for (const row of rows) {
       const named = row.cells[0].textContent.toLowerCase().includes(wanted);
-      const failed = column < 0 || row.cells[column].className === "f";
+      const failed = check.value === "!" ? row.className === "withheld" : column < 0 || row.cells[column].className === "f";
       row.hidden = !(named && failed);
       count += named && failed;
     }

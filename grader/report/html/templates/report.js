@@ -51,9 +51,10 @@
     const deep = one.node !== null && one.node >= opened.model.boxes.count ? ` (${words.deep})` : "";
     return `${what}: ${one.hit ? words.hit : words.missed}${deep}`;
   };
-  const lastOf = (node) => opened.model.ray.steps.findLastIndex((one) => one.node === node);
+  const lostAt = ({ ray }) => (ray && ray.lost !== null ? ray.steps.findLastIndex((one) => one.node === ray.lost) : -1);
+  const firstStep = (model) => lostAt(model) + 1;
   const listSteps = () => {
-    const { ray } = opened.model, lost = ray.lost === null ? -1 : lastOf(ray.lost);
+    const { ray } = opened.model, lost = lostAt(opened.model);
     list.replaceChildren(...ray.steps.map((one, place) => {
       const item = document.createElement("li");
       item.textContent = say(one);
@@ -65,7 +66,7 @@
   const tell = () => {
     const { model } = opened, { ray } = model, told = [];
     if (model.faces !== model.mesh.faces) told.push(filled(words.coarse, { faces: model.mesh.faces.toLocaleString("en") }));
-    if (model.node !== null) told.push(filled(words.nodeOf, model));
+    if (model.node !== null) told.push(filled(model.expected_box ? words.wrong : words.node, model));
     if (ray && ray.sentence) told.push(ray.sentence);
     if (ray) told.push(filled(words.outcome, { expected: number(ray.expected_t), got: number(ray.got_t) }));
     byId("told").textContent = told.join("; ");
@@ -98,7 +99,7 @@
     step.max = ray ? ray.steps.length : 0;
     if (ray) listSteps();
     else list.replaceChildren();
-    step.value = ray && ray.lost !== null ? lastOf(ray.lost) + 1 : 0;
+    step.value = firstStep(now.model);
     if (space) space.load(now.mesh, now.boxLines, viewpoint(now));
     tell();
     show();
@@ -122,5 +123,20 @@
       (space ? byId("stage") : list).focus({ preventScroll: true });
     });
   }
-  choose(0);
+  // Each failure shows its model at once, as it looks when one begins to turn it.
+  const snapshots = async () => {
+    const canvas = Object.assign(document.createElement("canvas"), { width: 640, height: 400 });
+    const camera = openSpace(canvas);
+    if (!camera) return;
+    for (const image of document.querySelectorAll("[data-model] img")) {
+      const shot = await openModel(models[image.parentElement.dataset.model]);
+      camera.load(shot.mesh, shot.boxLines, viewpoint(shot));
+      camera.show(display(shot, { level: -1, only: false, step: firstStep(shot.model) }));
+      camera.draw();
+      image.src = canvas.toDataURL();
+      image.hidden = false;
+    }
+    canvas.getContext("webgl2").getExtension("WEBGL_lose_context")?.loseContext();
+  };
+  choose(0).then(snapshots);
 })();

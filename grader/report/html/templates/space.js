@@ -22,7 +22,7 @@ out vec4 pixel;
 void main() {
   vec3 n = normalize(cross(dFdx(world), dFdy(world)));
   float light = abs(dot(n, normalize(back + .5 * up + .3 * right)));
-  pixel = vec4(colour * (.3 + .7 * light), 1);
+  pixel = vec4(colour * (.55 + .45 * light), 1);
 }`;
 const LINE_POINT = `${EYE}
 in vec3 a, b;
@@ -97,17 +97,20 @@ const openSpace = (canvas) => {
   };
   const look = (program, { back, right, up }) => {
     gl.useProgram(program.made);
-    const near = view.far * .01, end = view.far + 60, f = 1.9;
+    const near = view.far * .01, end = view.far + 60, f = 2.2;
     const eye = view.at.map((x, k) => x + back[k] * view.far);
     for (const [name, value] of Object.entries({ eye, right, up, back })) gl.uniform3fv(program.at(name), value);
     const flat = canvas.height / canvas.width;
-    gl.uniform4f(program.at("lens"), f * Math.min(1, flat * 1.6), f * Math.min(1 / flat, 1.6), (end + near) / (near - end), 2 * end * near / (near - end));
+    gl.uniform4f(program.at("lens"), f * Math.min(1, flat), f * Math.min(1 / flat, 1), (end + near) / (near - end), 2 * end * near / (near - end));
   };
   const draw = () => {
     waiting = false;
     const dense = Math.min(devicePixelRatio || 1, 2);
-    canvas.width = Math.max(1, canvas.clientWidth * dense);
-    canvas.height = Math.max(1, canvas.clientHeight * dense);
+    // A canvas outside of the page, which makes snapshots, keeps its size.
+    if (canvas.clientWidth) {
+      canvas.width = canvas.clientWidth * dense;
+      canvas.height = canvas.clientHeight * dense;
+    }
     gl.viewport(0, 0, canvas.width, canvas.height);
     gl.clearColor(.08, .09, .11, 1);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
@@ -195,10 +198,9 @@ const openSpace = (canvas) => {
     keys[event.key]();
   });
   new ResizeObserver(redraw).observe(canvas);
-  matchMedia("print").addEventListener("change", redraw);
 
   return {
-    zoom, reset, redraw, view: () => view,
+    zoom, reset, draw,
     // The mesh and all boxes go to the graphics card once; what is shown of them changes.
     load: (mesh, boxLines, from) => {
       gl.bindBuffer(gl.ARRAY_BUFFER, points);

@@ -78,13 +78,14 @@ const shownKeys = (opened, { level, step }) => {
     ray && "ray", ray && ray.expected_t !== null && "hit", ray && ray.got_t !== null && "got", ray && step > 1 && "visited", ray && step > 0 && "now"]);
 };
 
-// A ray is seen best from the side, a wrong node from where it fills a third of the view.
+// All that matters fits into the view; a ray is seen best from the side.
 const viewpoint = (opened) => {
-  const { model } = opened, wrong = model.node === null ? null : opened.box(model.node);
-  if (model.ray) return { yaw: Math.atan2(model.ray.direction[0], model.ray.direction[2]) + 1.25, pitch: .3, far: 3.6 };
-  if (!wrong) return { far: 3.2 };
-  const all = [wrong, ...(model.expected_box ? [opened.moved(model.expected_box)] : [])];
-  const low = [0, 1, 2].map((k) => Math.min(...all.map((b) => b[k]))), high = [3, 4, 5].map((k) => Math.max(...all.map((b) => b[k])));
-  const wide = Math.hypot(...low.map((x, k) => high[k] - x));
-  return { at: low.map((x, k) => (x + high[k]) / 2), far: Math.max(.5, Math.min(4, wide * 1.5)) };
+  const { model, low, size } = opened, wrong = model.node === null ? null : opened.box(model.node);
+  const all = wrong ? [wrong] : [[...low, ...low.map((x, k) => x + size[k])]];
+  if (wrong && model.expected_box) all.push(opened.moved(model.expected_box));
+  const from = [0, 1, 2].map((k) => Math.min(...all.map((box) => box[k])));
+  const to = [3, 4, 5].map((k) => Math.max(...all.map((box) => box[k])));
+  const wide = Math.hypot(...from.map((x, k) => to[k] - x));
+  const view = { at: from.map((x, k) => (x + to[k]) / 2), far: Math.max(.4, Math.min(6, wide * 1.25)) };
+  return model.ray ? { ...view, yaw: Math.atan2(model.ray.direction[0], model.ray.direction[2]) + 1.25, pitch: .3 } : view;
 };
