@@ -40,6 +40,7 @@
   const room = byId("room"), chooser = byId("model"), level = byId("level"), only = byId("only");
   const step = byId("step"), list = byId("steps"), kept = new Map();
   room.hidden = false;
+  byId("unscripted").hidden = true;
   const space = openSpace(byId("stage"));
   byId("flat").hidden = space !== null;
   byId("drawn").hidden = space === null;
