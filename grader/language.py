@@ -33,21 +33,30 @@ def usual_language(environment: Mapping[str, str] = os.environ) -> str:
 
 
 @cache
-def catalogue(language: str) -> Mapping[str, str]:
-    """Read the catalogue of a language: English text to translation."""
+def catalogue(language: str, context: str = "") -> Mapping[str, str]:
+    """Read the catalogue of a language: English text to translation.
+
+    Args:
+        language: Not English.
+        context: `check` for what checks found; empty for what reports say of it.
+    """
     path = files("grader").joinpath("locale", f"{language}.po")
-    return parsed(path.read_text(encoding="utf-8"))
+    return parsed(path.read_text(encoding="utf-8"), context)
 
 
-def parsed(text: str) -> dict[str, str]:
-    """Read a catalogue: entries of `msgid` and `msgstr`, each one or several strings."""
+def parsed(text: str, context: str = "") -> dict[str, str]:
+    """Read the entries of a context, each with `msgid` and `msgstr` of one or more strings."""
     entries: list[dict[str, str]] = []
-    keyword = ""
+    keyword = known = ""
     for line in map(str.strip, text.splitlines()):
-        if line.startswith("msgid "):
-            entries.append({"msgid": "", "msgstr": ""})
+        if line.startswith("msgctxt "):
+            known = ast.literal_eval(line.removeprefix("msgctxt "))
+        elif line.startswith("msgid "):
+            entries.append({"context": known, "msgid": "", "msgstr": ""})
+            known = ""
         if line.startswith(("msgid ", "msgstr ")):
             keyword, _, line = line.partition(" ")
         if line.startswith('"'):
             entries[-1][keyword] += ast.literal_eval(line)
-    return {each["msgid"]: each["msgstr"] for each in entries if each["msgid"]}
+    found = [each for each in entries if each["context"] == context and each["msgid"]]
+    return {each["msgid"]: each["msgstr"] for each in found}

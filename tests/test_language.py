@@ -82,3 +82,11 @@ def test_strings_may_go_on_in_the_next_line() -> None:
     """As msgfmt writes long ones."""
     text = '# note\nmsgid ""\n"one \\"two\\" "\n"three"\nmsgstr "eins\\n"\n"zwei"\n'
     assert parsed(text) == {'one "two" three': "eins\nzwei"}
+
+
+def test_a_context_has_entries_of_its_own() -> None:
+    """The same English text may be told otherwise there."""
+    plain, other = 'msgid "a"\nmsgstr "1"\n\n', 'msgctxt "check"\nmsgid "a"\nmsgstr "2"\n\n'
+    text = plain + other + 'msgid "b"\nmsgstr "3"\n'
+    assert parsed(text) == {"a": "1", "b": "3"}
+    assert parsed(text, "check") == {"a": "2"}

@@ -53,7 +53,7 @@ def with_unit(score: float, possible: float, words: Words) -> str:
 def explain(sheet: Sheet, grade: Grade, score: CheckScore, occasion: Occasion) -> None:
     """Write the whole block of one failed check."""
     headline(sheet, score)
-    happened = sheet.plain(score.message)
+    happened = sheet.plain(sheet.told(score.message))
     if happened:
         sheet.beside("", happened)
     for label, told in examples(sheet, score, happened):
@@ -61,9 +61,9 @@ def explain(sheet: Sheet, grade: Grade, score: CheckScore, occasion: Occasion) -
     smallest(sheet, score)
     shown = score.counterexample or score
     if shown.expected:
-        sheet.beside("expected", shown.expected, "green")
+        sheet.beside("expected", sheet.told(shown.expected), "green")
     if shown.got:
-        sheet.beside("got", shown.got, "red")
+        sheet.beside("got", sheet.told(shown.got), "red")
     look_at(sheet, grade, score)
     for label, text in hints(score, occasion.hints, sheet.words):
         sheet.beside(label, text, "cyan")
@@ -78,14 +78,14 @@ def smallest(sheet: Sheet, score: CheckScore) -> None:
     """Tell the smallest input that fails; what is expected of it and what it got come next."""
     found = score.counterexample
     if found is not None:
-        sheet.beside("smallest", f"{size_of(found)}: {found.message}")
+        sheet.beside("smallest", f"{sheet.told(size_of(found))}: {sheet.told(found.message)}")
         tell_more(sheet, found)
 
 
 def tell_more(sheet: Sheet, found: "Counterexample") -> None:
     """Say where in the tree it went wrong, and draw the tree if it is small."""
     if found.explanation:
-        sheet.beside("where", found.explanation)
+        sheet.beside("where", sheet.told(found.explanation))
     if found.table is not None:
         node_table(sheet, found.table)
 
@@ -110,7 +110,7 @@ def headline(sheet: Sheet, score: CheckScore) -> None:
 
 def examples(sheet: Sheet, score: CheckScore, happened: str) -> list[tuple[str, str]]:
     """Choose what the message did not say yet, with a label before the first."""
-    told = [sheet.plain(one.message) for one in score.examples]
+    told = [sheet.plain(sheet.told(one.message)) for one in score.examples]
     told = [one for one in told if one not in happened]
     labels = ["example"] + [""] * len(told)
     return list(zip(labels, told, strict=False))

@@ -6,6 +6,7 @@ from grader.language import translator
 from grader.model.grade import Grade
 from grader.model.stages import Rejected
 from grader.model.verdict import Verdict
+from grader.phrases import teller
 from grader.report.facts import unstarted, worst
 from grader.report.failure import Occasion
 from grader.report.sheet import Sheet
@@ -23,7 +24,7 @@ from grader.report.terminal import (
 
 def print_problem(console: Console, grade: Grade, occasion: Occasion) -> None:
     """Print the score and the failure that costs most; the others are only counted."""
-    sheet = Sheet(console, translator(occasion.language))
+    sheet = Sheet(console, translator(occasion.language), teller(occasion.language))
     header(sheet, grade)
     if is_exposed(grade):
         banner(sheet)

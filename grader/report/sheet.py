@@ -95,6 +95,9 @@ class Sheet:
     words: Words = str
     """Translates our own texts, never a stranger's."""
 
+    told: Words = str
+    """Translates what checks found; a stranger's words in it stay as they are."""
+
     glyphs: Glyphs = field(init=False)
     width: int = field(init=False)
     lines: list[Text] = field(default_factory=list)

@@ -7,6 +7,7 @@ from grader.language import Words, translator
 from grader.model.grade import CheckScore, Grade, PartScore
 from grader.model.stages import Rejected
 from grader.model.verdict import Verdict
+from grader.phrases import teller
 from grader.report.facts import FUNCTIONS, NOT_STARTED, unstarted, withheld, worst
 from grader.report.failure import Occasion, compile_errors, explain, points, with_unit
 from grader.report.sheet import STYLES, Sheet
@@ -24,7 +25,7 @@ COLUMNS_FROM = 100
 
 def print_grade(console: Console, grade: Grade, occasion: Occasion) -> None:
     """Print the whole report; width, colours and encoding are the console's."""
-    sheet = Sheet(console, translator(occasion.language))
+    sheet = Sheet(console, translator(occasion.language), teller(occasion.language))
     header(sheet, grade)
     if is_exposed(grade):
         banner(sheet)
@@ -148,7 +149,7 @@ def check_line(sheet: Sheet, score: CheckScore, earned: str) -> None:
         remark = sheet.words("waits for {check}").format(check=score.blocked_by)
     elif score.verdict is Verdict.PASS and ":" in score.message:
         # Few cases are named: there a student looks for the dragon.
-        remark = sheet.line(score.message)
+        remark = sheet.line(sheet.told(score.message))
     if sheet.width - line.cell_len - len(earned) - 4 >= STATEMENT_MIN:
         line.append(f"  {remark}", "dim")
     sheet.spread(line, Text(earned, "dim"))
@@ -163,7 +164,7 @@ def every_fault(sheet: Sheet, grade: Grade) -> None:
     told = sheet.words("The grader itself failed; nothing is concluded about the submission:")
     sheet.say(told, "magenta")
     for score in broken:
-        sheet.beside("", f"{score.check}: {score.message}")
+        sheet.beside("", f"{score.check}: {sheet.told(score.message)}")
 
 
 def worst_failure(sheet: Sheet, grade: Grade, occasion: Occasion) -> None:

@@ -8,10 +8,10 @@ from axe_playwright_python.sync_playwright import Axe
 from PIL import Image
 from playwright.sync_api import Locator, Page, Playwright, expect
 
+from grader.model.views import Views
 from grader.report.as_json import to_json
 from grader.report.html.submission import to_html
 from grader.report.views import to_json as views_json
-from grader.model.views import Views
 from tests.report import samples
 from tests.report.html.conftest import Visit, chromium
 from tests.report.html.shown import flat_model, undrawn_views
@@ -40,7 +40,7 @@ def pixels(image: Image.Image, colour: tuple[int, int, int]) -> int:
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_nobody_is_shut_out(visit: Visit, report: str, scheme: str) -> None:
-    """axe finds neither too little contrast nor a control without a name."""
+    """Axe finds neither too little contrast nor a control without a name."""
     page = ready(visit(report, color_scheme=scheme))
     for details in page.locator("details").all():
         details.evaluate("one => { one.open = true; }")
