@@ -86,7 +86,7 @@ def _graded(
     summary = _summary(selection, options)
     with summary.stage("build and plan"):
         solution = Solution()
-        plan = _plan(solution, options.seed, summary)
+        plan = _plan(solution, options.seed, selection, summary)
         build = building.result()
     summary.examine(_build_cases(build))
     if build.library is None:
@@ -141,10 +141,10 @@ def _compilation(
     return Compilation(folder, _isolation(options), hurried, further)
 
 
-def _plan(solution: Solution, seed: int, summary: Summary) -> Plan:
+def _plan(solution: Solution, seed: int, selection: Selection, summary: Summary) -> Plan:
     """Make the plan of the trials, while the submission is compiled aside."""
     started = time.monotonic()
-    plan = solution.plan(seed)
+    plan = solution.plan(seed, selection.rubric.scenes)
     summary.plan_seconds = time.monotonic() - started
     return plan
 

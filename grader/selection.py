@@ -13,7 +13,7 @@ from grader.model.cases import DepthCase
 from grader.model.grade import Rubric
 from grader.model.mesh import Mesh
 from grader.model.stages import Further
-from grader.model.trials import ConstructTrial, Trial
+from grader.model.trials import ConstructTrial, ImageTrial, Trial
 from grader.oracle.plan import spine_trials
 from grader.run.trials import build_of
 from grader.score.rubric import BOTH, load_rubric
@@ -36,8 +36,11 @@ class Selection:
     hidden: tuple[str, ...] = ()
     """Checks of the rubric that are not run, because a student is not to see them."""
 
+    for_student: bool = False
+    """Whether scenes that a student is not to see are left out, too."""
+
     def useful(self, trials: Sequence[Trial]) -> tuple[Trial, ...]:
-        """Leave out the trials that no check of this run looks at.
+        """Leave out the trials that no check of this run looks at, or a student is not to see.
 
         Those that tell how deep a submission's trees are stay, if that chooses other trials.
         """
@@ -45,7 +48,8 @@ class Selection:
         return tuple(
             trial
             for trial in trials
-            if self._looks_at([trial]) or (choosing and DepthCase in kinds_of(trial))
+            if (self._looks_at([trial]) or (choosing and DepthCase in kinds_of(trial)))
+            and not (self.for_student and isinstance(trial, ImageTrial) and not trial.shown)
         )
 
     @property
@@ -114,6 +118,7 @@ def select(
         replace(rubric, criteria=criteria),
         tuple(each for each in checks if each.id in wanted),
         tuple(one.check for one in rubric.criteria if one.check in hidden),
+        for_student,
     )
 
 

@@ -54,20 +54,25 @@ class Solution:
         """
         return [self._tree(mesh) for mesh in meshes]
 
-    def plan(self, seed: int) -> Plan:
+    def plan(self, seed: int, own: Path | None = None) -> Plan:
         """Draw the trials of a seed, with our trees in them; the last plans are kept in memory.
 
         They say nothing of a submission, so whoever grades a second one need not draw again.
 
+        Args:
+            seed: Two plans of one seed are equal.
+            own: A course's own folder of scenes, used beside the shipped one.
+
         Raises:
             OracleFault: A stored mesh or picture is missing, damaged or stale.
             MissingTool: embreex is not installed.
+            UsageError: A line of the own folder's `scenes.toml` is wrong.
         """
-        key = (seed, self._library, scenes_sha256())
+        key = (seed, self._library, scenes_sha256(own))
         if key not in _kept:
             while len(_kept) >= MOST_PLANS:
                 del _kept[next(iter(_kept))]
-            _kept[key] = kept_plan(seed, self.trees, self._library.name)
+            _kept[key] = kept_plan(seed, self.trees, self._library.name, own)
         return _kept[key]
 
     def fresh_trees(self, meshes: Sequence[Mesh]) -> list[Bvh]:

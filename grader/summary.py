@@ -9,11 +9,18 @@ from pathlib import Path
 import grader
 from grader.diagnose.causes import likely_causes
 from grader.diagnose.notes import Notes
-from grader.model.cases import Case, MemoryCase, SurvivalCase, TreeCase, WorkCase
+from grader.model.cases import (
+    Case,
+    ImageCase,
+    MemoryCase,
+    SurvivalCase,
+    TreeCase,
+    WorkCase,
+)
 from grader.model.grade import Cause, CheckScore, Grade, Provenance, Timing
 from grader.model.stages import PARTS, Build, Rejected, Stop, Submission
-from grader.model.trials import Trial
-from grader.model.verdict import Evidence, Finding, Verdict
+from grader.model.trials import ImageTrial, Trial
+from grader.model.verdict import Finding, Verdict
 from grader.options import Progress
 from grader.oracle.scenes import scenes_sha256
 from grader.run.trials import part_of
@@ -21,7 +28,7 @@ from grader.sandbox.streams import DROPPED
 from grader.score.points import final_score, score_checks, score_parts
 from grader.selection import Selection
 from grader.tolerances import FACES_PER_LEAF
-from grader.verify.engine import Examiner
+from grader.verify.engine import NOTHING, Examiner
 from grader.verify.planned import kinds_of, planned_cases
 from grader.verify.tree import shape
 
@@ -76,13 +83,16 @@ class Summary:
                 continue
             self._note(case)
             self._notes.note(case)
-            self._findings += self._examiner.examine([case])
+            found = list(self._examiner.examine([case]))
+            if isinstance(case, SurvivalCase | ImageCase):
+                found = [_of_scene(each, case.trial) for each in found]
+            self._findings += found
 
     def _crowded(self, trial: Trial) -> None:
         """Conclude nothing from a worker that had to wait for others than itself."""
         reason = "it stood in line for a processor for too long; grade it again"
         self._findings += [
-            Finding(each.id, trial.name, Verdict.BROKEN, Evidence(0, 0), reason)
+            _of_scene(Finding(each.id, trial.name, Verdict.BROKEN, NOTHING, reason), trial)
             for each in self._selection.checks
             if each.kind in kinds_of(trial) and each.when(trial)
         ]
@@ -91,7 +101,7 @@ class Summary:
         """Take note of our own faults: the name of a trial and what went wrong there."""
         for name, reason in faults:
             self._findings += [
-                Finding(each.id, name, Verdict.BROKEN, Evidence(0, 0), reason)
+                Finding(each.id, name, Verdict.BROKEN, NOTHING, reason)
                 for each in self._selection.checks
                 if each.id.startswith(("hits.", "image."))
             ]
@@ -184,7 +194,7 @@ class Summary:
         return Provenance(
             grader=grader.__version__,
             rubric_sha256=self._selection.rubric.sha256,
-            scenes_sha256=scenes_sha256(),
+            scenes_sha256=scenes_sha256(self._selection.rubric.scenes),
             seed=self._seed,
             compiler=build.compiler if build else "",
             flags=build.flags if build else (),
@@ -203,6 +213,13 @@ class Summary:
             total=total,
             stages=tuple(self._stages),
         )
+
+
+def _of_scene(finding: Finding, trial: Trial) -> Finding:
+    """Add to a finding what the scene of its picture says, if it has one."""
+    if not isinstance(trial, ImageTrial):
+        return finding
+    return replace(finding, weight=trial.weight, shown=trial.shown)
 
 
 def cpu_name() -> str:

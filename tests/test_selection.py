@@ -1,6 +1,7 @@
 """Which checks and trials a run has: what a rubric drops, and what it hides from students."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -9,7 +10,7 @@ import pytest
 from grader.errors import UsageError
 from grader.model.cases import DepthCase
 from grader.model.stages import Further
-from grader.model.trials import Trial
+from grader.model.trials import ImageTrial, Trial
 from grader.oracle.plan import deeper_trials
 from grader.run.trials import build_of
 from grader.score.rubric import SHIPPED
@@ -181,3 +182,11 @@ def test_a_gate_of_the_other_part_is_not_run() -> None:
         "bvh.is-readable",
     }
     assert gates <= set(run(select(None, ("hits.closest-wins", "bvh.boxes-are-tight"))))
+
+
+def test_a_hidden_scene_is_not_run_for_a_student() -> None:
+    """Whoever grades runs it; and a visible one is run for everybody."""
+    (image,) = (trial for trial in every_trial() if isinstance(trial, ImageTrial))
+    hidden = replace(image, shown=False)
+    assert select(None, (), for_student=True).useful([image, hidden]) == (image,)
+    assert select(None, ()).useful([image, hidden]) == (image, hidden)

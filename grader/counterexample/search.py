@@ -16,7 +16,7 @@ from grader.counterexample.probe import Effort, Probe, decided, sizes, steady
 from grader.errors import Interrupted
 from grader.model.counterexample import Counterexample
 from grader.model.grade import CheckScore, Grade
-from grader.model.trials import Trial
+from grader.model.trials import ImageTrial, Trial
 from grader.model.verdict import Verdict
 from grader.run.trials import Engines, is_sanitized
 from grader.solution import Solution
@@ -70,6 +70,11 @@ def _is_open(score: CheckScore) -> bool:
     return score.visibility == "visible"
 
 
+def _is_told(trial: Trial) -> bool:
+    """A counterexample tells where it comes from, so none comes from a hidden scene."""
+    return not isinstance(trial, ImageTrial) or trial.shown
+
+
 def _found(score: CheckScore, search: Search) -> Counterexample | None:
     try:
         return counterexample(score, search)
@@ -88,7 +93,7 @@ def counterexample(score: CheckScore, search: Search) -> Counterexample | None:
     """
     check = next(each for each in every_check() if each.id == score.check)
     failed = {name for name, verdict in score.cases if verdict is Verdict.FAIL}
-    known = [trial for trial in search.trials if trial.name in failed]
+    known = [trial for trial in search.trials if trial.name in failed and _is_told(trial)]
     known = [trial for trial in known if sizes(trial)[0] <= LARGEST_START]
     fence = min(time.monotonic() + CROWDED * CHECK_SECONDS, search.deadline)
     effort = Effort(fence, CHECK_SECONDS)

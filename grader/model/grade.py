@@ -1,6 +1,7 @@
 """What a whole grade is: the record that every report is written from."""
 
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from grader.model.stages import Build, Rejected, Stop, Submission
@@ -10,6 +11,9 @@ if TYPE_CHECKING:
     # They hold arrays, and `bvhgrade --help` does without numpy.
     from grader.model.counterexample import Counterexample
     from grader.model.views import Views
+
+VISIBILITIES = ("visible", "hidden", "after_due_date")
+"""Of a criterion and of a scene; `check` runs visible ones only."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,6 +95,8 @@ class Rubric:
     """`sheet` or `full-levels`."""
 
     sha256: str
+    scenes: Path | None = None
+    """A course's own folder of scenes, used beside the shipped one."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -35,6 +35,11 @@ class Scene:
     albedo: tuple[float, float, float]
     width: int
     height: int
+    weight: float = 1.0
+    """How many ordinary cases it counts for where the points of a check are shared."""
+
+    visibility: str = "visible"
+    """`visible`, `hidden` or `after_due_date`; students see no other than visible ones."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -132,6 +132,12 @@ class ImageTrial(FrozenArrays):
     mitsuba_t: Floats
     """(R,) float32, Mitsuba's hit distance along the same rays; infinite for a miss."""
 
+    weight: float = 1.0
+    """How many ordinary cases it counts for."""
+
+    shown: bool = True
+    """Whether students may see it."""
+
 
 Trial = (
     ConstructTrial

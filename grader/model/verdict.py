@@ -56,3 +56,9 @@ class Finding:
     evidence: Evidence
     reason: str = ""
     """Of BLOCKED the blocking check, of BROKEN what went wrong on our side."""
+
+    weight: float = 1.0
+    """How many ordinary cases this one counts for."""
+
+    shown: bool = True
+    """Whether students may be told where it was; hidden scenes are not named."""

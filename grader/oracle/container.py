@@ -17,10 +17,12 @@ import numpy as np
 import numpy.typing as npt
 
 from grader.model.mesh import Answers, Bvh, Bytes, Mesh, Rays
+from grader.model.scene import Reference
 from grader.model.trials import Trial
 from grader.oracle.hashed import DIGEST, Piece, hashed, unbroken
 
-RECORDS = {kind.__name__: kind for kind in (Mesh, Rays, Bvh, Answers, *get_args(Trial))}
+KINDS = (Mesh, Rays, Bvh, Answers, Reference, *get_args(Trial))
+RECORDS = {kind.__name__: kind for kind in KINDS}
 ALIGNMENT = 64
 LENGTH = 8
 """Bytes of the length of the index."""

@@ -12,6 +12,7 @@ import json
 from collections.abc import Mapping
 from dataclasses import asdict
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
@@ -27,14 +28,17 @@ FORMAT = "1"
 Channels = dict[str, np.ndarray[Any, Any]]
 """Channel name -> (height, width) float32, of `face` uint32."""
 
+OLDEST_MINOR = 9
+"""Of Mitsuba 3; the extra `render` installs no older one."""
+
 MADE_WITH = ("mitsuba", "drjit", "variant")
 VECTORS = ("origin", "direction", "point", "normal")
 
 
 def scene_key(scene: Scene, mesh: Mesh) -> str:
     """Hash everything that a picture of this scene depends on, its mesh byte by byte."""
-    described = asdict(scene)
-    del described["name"], described["title"], described["mesh"]
+    names = ("camera", "light", "albedo", "width", "height")
+    described = {name: value for name, value in asdict(scene).items() if name in names}
     text = json.dumps([FORMAT, described, mesh_sha256(mesh)], sort_keys=True)
     return hashlib.sha256(text.encode()).hexdigest()
 
@@ -58,20 +62,28 @@ def write_reference(path: Path, scene: Scene, reference: Reference) -> None:
     }
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        with exr.File(header, channels) as picture:
-            picture.write(str(path))
+        with TemporaryDirectory(prefix=".", dir=path.parent) as beside:
+            with exr.File(header, channels) as picture:
+                picture.write(str(Path(beside) / path.name))
+            (Path(beside) / path.name).replace(path)
     except (OSError, RuntimeError) as fault:
         message = f"{path}: the reference picture cannot be written ({fault})"
         raise OutputFault(message) from fault
 
 
-def read_reference(path: Path, scene: Scene, mesh: Mesh) -> Reference:
+def read_reference(path: Path, scene: Scene, mesh: Mesh, command: str) -> Reference:
     """Read the picture of a scene.
 
+    Args:
+        path: The file.
+        scene: What it has to show.
+        mesh: The scene's mesh.
+        command: Renders it anew; for messages.
+
     Raises:
-        OracleFault: It is missing, damaged, or of another scene, mesh or format.
+        OracleFault: It is missing, damaged, or of another scene, mesh, format or Mitsuba.
     """
-    again = f"render it anew with `bvhgrade scenes render {scene.name}`"
+    again = f"render it anew with `{command}`"
     if not path.is_file():
         raise OracleFault(f"scene {scene.name}: {path.name} is missing; {again}")
     header, channels = _read(path, again)
@@ -87,12 +99,25 @@ def _refuse_stale(header: Mapping[str, Any], key: str, what: str, again: str) ->
     found = str(header.get("bvhgrade.format"))
     if found != FORMAT:
         raise OracleFault(f"{what} has format {found}, but this grader reads {FORMAT}; {again}")
+    found = str(header.get("bvhgrade.mitsuba"))
+    if not _is_trusted(found):
+        raise OracleFault(
+            f"{what} was rendered by Mitsuba {found}, but only 3.{OLDEST_MINOR} and later "
+            f"versions of Mitsuba 3 were compared with the rule of closest hits; {again}"
+        )
     found = str(header.get("bvhgrade.key"))
     if found != key:
         raise OracleFault(
             f"{what} was rendered of scene {found[:12]}, but mesh, camera, light and size now "
             f"give {key[:12]}; {again}"
         )
+
+
+def _is_trusted(version: str) -> bool:
+    """Whether pictures of this version of Mitsuba are used, on every machine alike."""
+    major, _, rest = version.partition(".")
+    minor = rest.partition(".")[0]
+    return major == "3" and minor.isdecimal() and int(minor) >= OLDEST_MINOR
 
 
 def _read(path: Path, again: str) -> tuple[Mapping[str, Any], Channels]:

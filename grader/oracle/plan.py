@@ -2,9 +2,8 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import NamedTuple
-
-import numpy as np
 
 from grader.model.mesh import Bvh, Mesh, Rays
 from grader.model.trials import (
@@ -18,7 +17,7 @@ from grader.model.trials import (
     WorkTrial,
 )
 from grader.oracle.altered import altered_trials
-from grader.oracle.brute import NOTHING, answers, chosen, nearest
+from grader.oracle.brute import NOTHING, answers
 from grader.oracle.bundle import around, beams, stage_for, within
 from grader.oracle.costs import plain_costs
 from grader.oracle.exact import exact_trial, lattice
@@ -26,9 +25,9 @@ from grader.oracle.forms import other_form
 from grader.oracle.meshes import TRACED, construct_meshes, depth_mesh, generator
 from grader.oracle.rays import Request
 from grader.oracle.remember import digest_of, remember
-from grader.oracle.scenes import image_trials, load_mesh, scenes_sha256
+from grader.oracle.scenes import folder_sha256, image_trials, load_mesh
 from grader.oracle.spines import DEEPEST, spine_trial
-from grader.oracle.tracing import sample, traced
+from grader.oracle.tracing import deepest_tree, sample, traced
 from grader.tolerances import MAX_DEPTH
 
 Trees = Callable[[Sequence[Mesh]], list[Bvh]]
@@ -67,9 +66,6 @@ a tree that ends with its last used node, one with gaps, a deep one."""
 
 WORK = (("dragon-res4", 1_000), ("dragon-res2", 20_000))
 LATTICES = (0, 2)
-DEEPEST_STEP = 701
-"""One of so many pixels, not in line with the picture's rows."""
-
 SPINE_STEP = 7
 """One of so many rays of the deepest tree is for the sanitized build."""
 
@@ -92,48 +88,73 @@ class Drawn(NamedTuple):
     """As of the plan."""
 
 
-def make_plan(seed: int, trees: Trees) -> Plan:
+def make_plan(seed: int, trees: Trees, own: Path | None = None) -> Plan:
     """Draw all trials of a seed, but for `depth_trial` and `deeper_trials`.
 
     Args:
         seed: Two plans of one seed are equal, bit by bit.
         trees: Builds the reference's tree of each mesh.
+        own: A course's own folder of scenes, used beside the shipped one.
 
     Raises:
         OracleFault: A stored mesh or picture is missing, damaged or stale.
         MissingTool: embreex is not installed.
+        UsageError: A line of the own folder's `scenes.toml` is wrong.
     """
-    return assembled(seed, drawn(seed, trees), image_trials(trees))
+    more = image_trials(trees, own) if own else ()
+    return assembled(seed, drawn(seed, trees), image_trials(trees), more)
 
 
-def kept_plan(seed: int, trees: Trees, builder: str) -> Plan:
+def kept_plan(seed: int, trees: Trees, builder: str, own: Path | None = None) -> Plan:
     """Return `make_plan`, with its parts from the cache if they are there.
 
     Args:
         seed: As for `make_plan`.
         trees: As for `make_plan`.
         builder: Names what builds the trees: another name, other trees.
+        own: As for `make_plan`.
 
     Raises:
         OracleFault: As `make_plan`.
         MissingTool: As `make_plan`.
+        UsageError: As `make_plan`.
     """
-    source = (builder, scenes_sha256())
     # Two entries: pictures are the same for all seeds. Together they are read in one tenth of
     # the time that it takes to read and put together what they are made from.
-    pictures = remember(digest_of("pictures", source), lambda: tuple(image_trials(trees)))
-    parts = remember(digest_of("drawn", source, seed), lambda: drawn(seed, trees))
-    return assembled(seed, Drawn(*parts), pictures)
+    pictures = _kept_pictures(trees, builder, None)
+    key = digest_of("drawn", (builder, folder_sha256()), seed)
+    parts = remember(key, lambda: drawn(seed, trees))
+    more = _kept_pictures(trees, builder, own) if own else ()
+    return assembled(seed, Drawn(*parts), pictures, more)
 
 
-def assembled(seed: int, parts: Drawn, pictures: Sequence[ImageTrial]) -> Plan:
-    """Put all trials in order, and add those that are made faster than they are read."""
+def _kept_pictures(trees: Trees, builder: str, folder: Path | None) -> tuple[ImageTrial, ...]:
+    """Return the pictures of a folder; what lies in it is in the name of the entry."""
+    key = digest_of("pictures", (builder, folder_sha256(folder)))
+    return remember(key, lambda: tuple(image_trials(trees, folder)))
+
+
+def assembled(
+    seed: int,
+    parts: Drawn,
+    pictures: Sequence[ImageTrial],
+    more: Sequence[ImageTrial] = (),
+) -> Plan:
+    """Put all trials in order, and add those that are made faster than they are read.
+
+    Args:
+        seed: As for `make_plan`.
+        parts: What was drawn.
+        pictures: Of the shipped scenes; one of them is for the sanitized build, too.
+        more: Of a course's own.
+    """
     trials: tuple[Trial, ...] = (
         *parts.first,
-        *_deepest(pictures),
+        *deepest_tree(pictures),
         *spine_trials(seed, DEEPEST),
         *parts.repeats,
         *pictures,
+        *more,
     )
     return Plan(trials, parts.faults)
 
@@ -239,28 +260,6 @@ def spine_trials(seed: int, deepest: int) -> list[TraceTrial]:
     """Lay out the tree that is as deep as trees may be, for both builds."""
     trial = spine_trial(seed, deepest)
     return [trial, sample(trial, SPINE_STEP, f"{trial.name}, sanitized")]
-
-
-def _deepest(pictures: Sequence[ImageTrial]) -> list[TraceTrial]:
-    """Lay out some pixels of the largest picture for the sanitized build: the deepest tree."""
-    if not pictures:
-        return []
-    picture = max(pictures, key=lambda each: len(each.mesh.faces))
-    rays = chosen(picture.rays, np.arange(0, len(picture.rays.t_min), DEEPEST_STEP))
-    count = len(rays.t_min)
-    trial = TraceTrial(
-        name=f"{picture.name}, sanitized",
-        mesh=picture.mesh,
-        tree=picture.tree,
-        rays=rays,
-        # A sanitized worker is judged by how it ends, so nobody asks what it should have hit.
-        answers=nearest(NOTHING, count),
-        families=("pixels",),
-        family=np.zeros(count, dtype=np.int64),
-        special=False,
-        sanitized=True,
-    )
-    return [trial]
 
 
 def _repeats(seed: int, meshes: dict[str, Mesh], built: dict[str, Bvh]) -> list[RepeatTrial]:

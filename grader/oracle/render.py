@@ -9,7 +9,7 @@ default intersector loses hits on edges, so the robust one is asked for.
 
 import os
 from collections.abc import Mapping
-from importlib.metadata import version
+from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
 import numpy as np
@@ -51,6 +51,14 @@ def render(scene: Scene, mesh: Mesh, variant: Variant) -> Reference:
         face=np.where(hit, face, np.uint32(NO_FACE)),
         shaded=np.where(hit[:, None], pixels[:, 0:3], np.float32(0)),
     )
+
+
+def mitsuba_version() -> str | None:
+    """Return the version of Mitsuba that is installed; None if there is none."""
+    try:
+        return version("mitsuba")
+    except PackageNotFoundError:
+        return None
 
 
 def _mitsuba(variant: Variant) -> Any:  # noqa: ANN401 - Mitsuba's types depend on the variant

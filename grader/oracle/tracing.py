@@ -1,14 +1,18 @@
 """What are the rays and answers of one mesh? Drawn, answered and witnessed."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from grader.model.mesh import Answers, Bvh, Floats, Integers, Mesh
-from grader.model.trials import TraceTrial
-from grader.oracle.brute import answers, chosen
+from grader.model.trials import ImageTrial, TraceTrial
+from grader.oracle.brute import NOTHING, answers, chosen, nearest
 from grader.oracle.embree import contradicted, embree_t
 from grader.oracle.rays import Request, families_of, rays_on
+
+DEEPEST_STEP = 701
+"""One of so many pixels, not in line with the picture's rows."""
 
 KIND = {False: "ordinary rays", True: "special rays"}
 
@@ -67,6 +71,28 @@ def sample(trial: TraceTrial, step: int, name: str) -> TraceTrial:
         special=trial.special,
         sanitized=True,
     )
+
+
+def deepest_tree(pictures: Sequence[ImageTrial]) -> list[TraceTrial]:
+    """Lay out some pixels of the largest picture for the sanitized build: the deepest tree."""
+    if not pictures:
+        return []
+    picture = max(pictures, key=lambda each: len(each.mesh.faces))
+    rays = chosen(picture.rays, np.arange(0, len(picture.rays.t_min), DEEPEST_STEP))
+    count = len(rays.t_min)
+    trial = TraceTrial(
+        name=f"{picture.name}, sanitized",
+        mesh=picture.mesh,
+        tree=picture.tree,
+        rays=rays,
+        # A sanitized worker is judged by how it ends, so nobody asks what it should have hit.
+        answers=nearest(NOTHING, count),
+        families=("pixels",),
+        family=np.zeros(count, dtype=np.int64),
+        special=False,
+        sanitized=True,
+    )
+    return [trial]
 
 
 def answers_of(given: Answers, kept: Integers) -> Answers:

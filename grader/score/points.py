@@ -34,7 +34,7 @@ def score_checks(
     rubric: Rubric,
     checks: Sequence[tuple[str, str]],
     findings: Sequence[Finding],
-    planned: Mapping[str, int],
+    planned: Mapping[str, float],
     started: Collection[str],
 ) -> tuple[CheckScore, ...]:
     """Give every check of the rubric its points and its words, in the order of `checks`.
@@ -43,7 +43,7 @@ def score_checks(
         rubric: What each check is worth; a check that it leaves out is left out here.
         checks: Id and title of every check there is.
         findings: One of each check and case.
-        planned: Per check, how many cases a right submission gives it to examine.
+        planned: Per check, the weight of the cases that a right submission gives it.
         started: The parts that no longer are the given code.
     """
     placed = by_place(findings)
@@ -86,11 +86,10 @@ def final_score(checks: Iterable[CheckScore]) -> float | None:
 
 def _scored(criterion: Criterion, title: str, of: Tally, died: str | None) -> CheckScore:
     outcome = _outcome(of, died)
-    first = of.failed[0] if of.failed else None
+    first = _first(of.failed) if of.failed else None
     examples = tuple(islice(_examples(of.failed), _MAX_EXAMPLES))
     shown = examples[0] if examples else Example("")
     counted = (*of.passed, *of.failed)
-    every = (*of.passed, *of.failed, *(one for one, _ in of.blocked), *of.undecided)
     return CheckScore(
         check=criterion.check,
         part=criterion.part,
@@ -108,7 +107,7 @@ def _scored(criterion: Criterion, title: str, of: Tally, died: str | None) -> Ch
         blocked_by=outcome.blocked_by,
         stop=first.evidence.stop if first else Stop.FINISHED,
         line=first.evidence.line if first else 0,
-        cases=tuple((one.case, one.verdict) for one in every),
+        cases=tuple((one.case, one.verdict) for one in of.every),
         seconds=0.0,
     )
 
@@ -124,11 +123,11 @@ def _outcome(of: Tally, died: str | None) -> _Outcome:
         finding, cause = of.blocked[0]
         return _Outcome(
             Verdict.BLOCKED,
-            f"could not be decided in {len(of.blocked)} of {of.examined} cases, first in "
-            f"`{finding.case}`, because `{cause}` fails there",
+            f"could not be decided in {len(of.blocked)} of {len(of.every)} cases, first in "
+            f"{_place(finding)}, because `{cause}` fails there",
             cause,
         )
-    if not of.passed or 2 * of.examined < of.planned:
+    if not of.passed or not of.suffices:
         return _too_little(of, died)
     return _Outcome(Verdict.PASS, _passed(of))
 
@@ -141,7 +140,7 @@ def _too_little(of: Tally, died: str | None) -> _Outcome:
     """
     if not of.planned:
         return _Outcome(Verdict.BROKEN, "the plan holds no case for this check")
-    few = f"only {of.examined} of {of.planned} cases could be examined"
+    few = f"only {len(of.every)} of {of.planned:g} cases could be examined"
     if died:
         return _Outcome(Verdict.BLOCKED, f"{few}, because `{died}` fails", died)
     return _Outcome(Verdict.FAIL, f"{few}: the others gave this check nothing to look at")
@@ -149,7 +148,7 @@ def _too_little(of: Tally, died: str | None) -> _Outcome:
 
 def _passed(of: Tally) -> str:
     """Say where a check held: the names of a few cases, the number of many."""
-    names = [one.case for one in of.passed]
+    names = [_place(one).strip("`") for one in of.passed]
     many = f"in {len(names)} case{'s' if len(names) > 1 else ''}"
     return f"{many}: {', '.join(names)}" if 1 < len(names) <= _NAMED_CASES else many
 
@@ -158,16 +157,27 @@ def _told(of: Tally) -> str:
     """`2 of 524,287 wrong, first in `cube`: node 5: box is ..., but ...`."""
     wrong = sum(one.evidence.wrong for one in of.failed)
     examined = sum(one.evidence.examined for one in (*of.passed, *of.failed))
-    first = of.failed[0]
+    first = _first(of.failed)
     counted = f"{wrong:,} of {examined:,} wrong" if wrong else "not shown to be right"
-    where = f"{counted}, first in `{first.case}`"
-    examples = first.evidence.examples
+    where = f"{counted}, first in {_place(first)}"
+    examples = first.evidence.examples if first.shown else ()
     return f"{where}: {examples[0].message}" if examples else where
+
+
+def _first(failed: Sequence[Finding]) -> Finding:
+    """Return the first that students may see, or the first of all."""
+    return next((one for one in failed if one.shown), failed[0])
+
+
+def _place(finding: Finding) -> str:
+    """Name a case, but for one of a scene that students do not see."""
+    return f"`{finding.case}`" if finding.shown else "a scene that is not shown"
 
 
 def _examples(failed: Iterable[Finding]) -> Iterable[Example]:
     for finding in failed:
-        yield from finding.evidence.examples
+        if finding.shown:
+            yield from finding.evidence.examples
 
 
 def _died(part: str, tallies: Mapping[str, Tally]) -> str | None:

@@ -11,9 +11,15 @@ from pathlib import Path
 from typing import Any
 
 from grader.errors import UsageError
-from grader.model.grade import CompileLimits, Criterion, Limits, Rubric
+from grader.model.grade import (
+    VISIBILITIES,
+    CompileLimits,
+    Criterion,
+    Limits,
+    Rubric,
+)
 from grader.model.stages import PARTS
-from grader.score.table import Table
+from grader.table import Table
 
 SHIPPED = Path(__file__).with_name("rubric.toml")
 """The exercise sheet's rubric; it also says which checks exist and of which part each is."""
@@ -21,7 +27,6 @@ SHIPPED = Path(__file__).with_name("rubric.toml")
 BOTH = "both"
 """Part of a gate that stands before both parts."""
 
-VISIBILITIES = ("visible", "hidden", "after_due_date")
 LEAF_RULES = ("sheet", "full-levels")
 _LARGEST_FILE = 2**20
 
@@ -39,7 +44,7 @@ def load_rubric(path: Path | None = None) -> Rubric:
     if path is None:
         path = SHIPPED
     root, sha256 = _read(path)
-    root.only("reading", "limits", "compile", "part", "criterion")
+    root.only("reading", "limits", "compile", "part", "criterion", "scenes")
     reading = root.table("reading")
     reading.only("leaf_rule")
     return Rubric(
@@ -48,6 +53,7 @@ def load_rubric(path: Path | None = None) -> Rubric:
         limits=_limits(root.table("limits"), root.table("compile")),
         leaf_rule=reading.choice("leaf_rule", LEAF_RULES),
         sha256=sha256,
+        scenes=_scenes(root, path.parent),
     )
 
 
@@ -65,6 +71,17 @@ def _read(path: Path) -> tuple[Table, str]:
     except ValueError as fault:
         raise UsageError(f"{path}: not valid TOML: {fault}") from fault
     return Table(str(path), values), hashlib.sha256(content).hexdigest()
+
+
+def _scenes(root: Table, beside: Path) -> Path | None:
+    if not root.has("scenes"):
+        return None
+    table = root.table("scenes")
+    table.only("folder")
+    folder = beside / table.text("folder")
+    if not folder.is_dir():
+        raise table.fault("folder", f'"{folder}"', "a folder that exists, seen from this file")
+    return folder
 
 
 def _titles(root: Table) -> tuple[tuple[str, str], ...]:

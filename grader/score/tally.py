@@ -30,28 +30,33 @@ class Tally:
     undecided: tuple[Finding, ...]
     """BROKEN, or blocked by something that did not fail: our own fault."""
 
-    planned: int
-    """How many cases there would be if every worker had survived."""
+    planned: float
+    """Weight of the cases that there would be if every worker had survived."""
 
     @property
-    def examined(self) -> int:
-        """How many cases count."""
-        return len(self.passed) + len(self.failed) + len(self.blocked) + len(self.undecided)
+    def every(self) -> tuple[Finding, ...]:
+        """All cases that count."""
+        return (*self.passed, *self.failed, *(one for one, _ in self.blocked), *self.undecided)
+
+    @property
+    def suffices(self) -> bool:
+        """Whether at least half of what was planned could be examined."""
+        return 2 * _weight(self.every) >= _exact(self.planned)
 
     @property
     def share(self) -> Fraction:
         """What is earned, from 0 to 1; the undecided cases count in favour."""
-        of = max(Fraction(self.examined), Fraction(self.planned, 2))
-        return Fraction(len(self.passed) + len(self.undecided)) / of if of else Fraction(0)
+        of = max(_weight(self.every), _exact(self.planned) / 2)
+        return _weight((*self.passed, *self.undecided)) / of if of else Fraction(0)
 
 
-def tally(own: Iterable[Finding], placed: Placed, planned: int) -> Tally:
+def tally(own: Iterable[Finding], placed: Placed, planned: float) -> Tally:
     """Sort the findings of one check.
 
     Args:
         own: Its findings.
         placed: Those of all checks, to see what happened to the blockers.
-        planned: How many cases the plan holds for it.
+        planned: Weight of the cases that the plan holds for it.
     """
     groups: dict[Verdict, list[Finding]] = {verdict: [] for verdict in Verdict}
     blocked: list[tuple[Finding, str]] = []
@@ -79,6 +84,16 @@ def points(possible: float, share: Fraction) -> float:
     if share >= 1:
         return possible
     return int(Fraction(possible) * share * _STEPS) / _STEPS
+
+
+def _weight(findings: Iterable[Finding]) -> Fraction:
+    """Add up how many ordinary cases some count for."""
+    return sum((_exact(one.weight) for one in findings), Fraction(0))
+
+
+def _exact(number: float) -> Fraction:
+    """Take a number as people wrote it: 0.1 is a tenth."""
+    return Fraction(str(number))
 
 
 def _cause(finding: Finding, placed: Placed) -> str | None:

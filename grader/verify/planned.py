@@ -1,4 +1,4 @@
-"""How many cases does a right submission give each check to examine?"""
+"""How many cases does a right submission give each check to examine, and what do they weigh?"""
 
 from collections.abc import Sequence
 
@@ -39,8 +39,8 @@ DELIVERED: dict[type, type] = {
 }
 
 
-def planned_cases(checks: Sequence[Check], trials: Sequence[Trial]) -> dict[str, int]:
-    """Count, per check, the cases that the reference would give it."""
+def planned_cases(checks: Sequence[Check], trials: Sequence[Trial]) -> dict[str, float]:
+    """Add up, per check, what the cases weigh that the reference would give it."""
     deep = {trial.name for trial in trials if DepthCase in kinds_of(trial)}
     full = {trial.name for trial in trials if not _is_small(trial)} & deep
 
@@ -51,9 +51,15 @@ def planned_cases(checks: Sequence[Check], trials: Sequence[Trial]) -> dict[str,
         return each.kind in kinds_of(trial) and each.when(trial)
 
     return {
-        each.id: _once(each, trials) + sum(counts(each, trial) for trial in trials)
+        each.id: _once(each, trials)
+        + sum(weight_of(trial) for trial in trials if counts(each, trial))
         for each in checks
     }
+
+
+def weight_of(trial: Trial) -> float:
+    """Return how many ordinary cases a trial counts for: 1, if no scene says otherwise."""
+    return trial.weight if isinstance(trial, ImageTrial) else 1
 
 
 def _once(each: Check, trials: Sequence[Trial]) -> int:

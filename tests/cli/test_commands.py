@@ -4,6 +4,7 @@ import json
 import sys
 from collections.abc import Callable
 from dataclasses import replace
+from pathlib import Path
 from types import ModuleType
 
 import pytest
@@ -14,7 +15,7 @@ from grader.cli import cli
 from grader.doctor import Finding
 from grader.errors import OracleFault, UsageError
 from grader.model.scene import Camera, Scene
-from grader.oracle.scenes import SceneStatus
+from grader.oracle.album import SceneStatus
 
 HELPS: tuple[list[str], ...] = (
     [],
@@ -23,6 +24,7 @@ HELPS: tuple[list[str], ...] = (
     ["scenes"],
     ["scenes", "list"],
     ["scenes", "render"],
+    ["scenes", "import"],
     ["doctor"],
     ["schema"],
 )
@@ -84,8 +86,8 @@ STATUS = SceneStatus(
 @pytest.fixture
 def scenes(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
     """Stand in for the scenes, which take a while to load."""
-    module = ModuleType("grader.oracle.scenes")
-    monkeypatch.setitem(sys.modules, "grader.oracle.scenes", module)
+    module = ModuleType("grader.oracle.album")
+    monkeypatch.setitem(sys.modules, "grader.oracle.album", module)
     return module
 
 
@@ -94,9 +96,9 @@ def test_scenes_are_listed_with_what_is_wrong(
 ) -> None:
     """A reference that cannot be used is our fault."""
     stale = replace(STATUS, problem="grid.exr: stale; run bvhgrade scenes render grid")
-    monkeypatch.setattr(scenes, "list_scenes", lambda: (STATUS,), raising=False)
+    monkeypatch.setattr(scenes, "list_scenes", lambda _: (STATUS,), raising=False)
     good = call("scenes", "list")
-    monkeypatch.setattr(scenes, "list_scenes", lambda: (stale,), raising=False)
+    monkeypatch.setattr(scenes, "list_scenes", lambda _: (stale,), raising=False)
     bad = call("scenes", "list")
     assert (good.exit_code, bad.exit_code) == (0, 3)
     assert "21,120 faces" in good.stdout
@@ -112,7 +114,7 @@ def test_scenes_are_rendered_by_name(
     asked: list[tuple[str, ...]] = []
 
     def render(
-        names: tuple[str, ...], progress: Callable[[str], None]
+        names: tuple[str, ...], progress: Callable[[str], None], _: Path | None
     ) -> tuple[SceneStatus, ...]:
         progress("rendering grid")
         asked.append(names)

@@ -61,7 +61,7 @@ def _small(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(module, "REPEATED_RAYS", 50)
     monkeypatch.setattr(module, "WORK", (("nested", 50),))
     monkeypatch.setattr(module, "DEEPEST", 6)
-    monkeypatch.setattr(module, "image_trials", lambda _: [])
+    monkeypatch.setattr(module, "image_trials", lambda *_: [])
 
 
 @pytest.mark.usefixtures("_small")

@@ -10,7 +10,7 @@ import pytest
 from grader.errors import OutputFault
 from grader.model.mesh import WILD, Answers, Bvh, Integers, Mesh
 from grader.model.scene import Reference
-from grader.oracle import scenes, shipped
+from grader.oracle import album, scenes, shipped
 from grader.oracle.balanced import balanced_tree
 from grader.oracle.brute import RULE_VERSION, answers, chosen
 from grader.oracle.shipped import (
@@ -162,7 +162,7 @@ def test_the_stored_files_spare_the_rule(monkeypatch: pytest.MonkeyPatch) -> Non
     monkeypatch.setattr(shipped, "answers", asked)
     no_tree = balanced_tree(Mesh(np.zeros((0, 3), np.float32), np.zeros((0, 3), np.uint32)))
     trials = scenes.image_trials(lambda meshes: [no_tree] * len(meshes))
-    assert [trial.name for trial in trials] == ["grid", "nested", "dragon"]
+    assert [trial.name for trial in trials] == [scene.name for scene in scenes.scenes()]
 
 
 def test_answers_belong_to_one_picture_and_one_rule(
@@ -189,9 +189,9 @@ def test_answers_are_stored_beside_the_picture(
 ) -> None:
     """Storing them anew needs no renderer, tells what it does, and gives the stored bytes."""
     there = scenes.answers_path("grid").read_bytes()
-    monkeypatch.setattr(scenes, "answers_path", lambda name: tmp_path / name)
+    monkeypatch.setattr(album, "answers_path", lambda name, _: tmp_path / name)
     told: list[str] = []
-    scenes.store_answers(("grid",), told.append)
+    album.store_answers(("grid",), told.append)
     assert told == ["answering grid, 256 x 256"]
     _, picture = stored("grid")
     (tmp_path / "there").write_bytes(there)

@@ -141,3 +141,27 @@ def test_a_missing_rubric_is_the_callers_mistake(tmp_path: Path) -> None:
     """The sentence names the path."""
     with pytest.raises(UsageError, match=r"none.toml: No such file or directory, but a rubric"):
         load_rubric(tmp_path / "none.toml")
+
+
+def test_a_rubric_names_the_own_scenes(tmp_path: Path) -> None:
+    """The folder is seen from the rubric; without the table there is none."""
+    (tmp_path / "ours").mkdir()
+    path = changed(tmp_path, "[reading]", '[scenes]\nfolder = "ours"\n\n[reading]')
+    assert load_rubric(path).scenes == tmp_path / "ours"
+    assert load_rubric().scenes is None
+
+
+@pytest.mark.parametrize(
+    ("table", "expected"),
+    [
+        ('folder = "nowhere"', r'\[scenes\]: folder is .*nowhere", but .* a folder that'),
+        ("folder = 3", r"\[scenes\]: folder is 3, but"),
+        ("", r"\[scenes\]: folder is missing"),
+        ('folders = "ours"', "unknown key `folders`.* did you mean .folder"),
+    ],
+)
+def test_a_wrong_folder_of_scenes_is_refused(tmp_path: Path, table: str, expected: str) -> None:
+    """Before anything is graded without them."""
+    path = changed(tmp_path, "[reading]", f"[scenes]\n{table}\n\n[reading]")
+    with pytest.raises(UsageError, match=expected):
+        load_rubric(path)

@@ -2,6 +2,7 @@
 
 import mmap
 from collections import Counter
+from dataclasses import replace
 
 import pytest
 
@@ -14,7 +15,7 @@ from grader.model.cases import (
     SurvivalCase,
 )
 from grader.model.stages import Ending, Stop
-from grader.model.trials import ConstructTrial, TraceTrial, Trial
+from grader.model.trials import ConstructTrial, ImageTrial, TraceTrial, Trial
 from grader.run.job import Result
 from grader.run.requests import request
 from grader.verify import every_check
@@ -91,3 +92,11 @@ def test_the_large_mesh_replaces_the_small_ones() -> None:
     depth = [each for each in every_check() if each.kind is DepthCase]
     assert planned_cases(depth, small) == {"bvh.depth-is-limited": 2}
     assert planned_cases(depth, [*small, construct(DEEP)]) == {"bvh.depth-is-limited": 1}
+
+
+def test_a_picture_counts_as_its_weight_says() -> None:
+    """In every check that looks at it; all else counts once."""
+    checks = [each for each in every_check() if each.id.startswith(("image.", "hits.surv"))]
+    (image,) = (trial for trial in every_trial() if isinstance(trial, ImageTrial))
+    heavy = replace(image, name="heavy", weight=2.5)
+    assert planned_cases(checks, [image, heavy]) == {each.id: 3.5 for each in checks}

@@ -32,15 +32,20 @@ class Table:
         value = self._taken(key, dict, f"a table [{key}]")
         return Table(f"{self._where}: [{key}]", value)
 
+    def has(self, key: str) -> bool:
+        """Whether a key is there."""
+        return key in self._values
+
     def tables(self, key: str) -> list["Table"]:
-        """An array of tables; each knows its number, and its check if it has one."""
+        """An array of tables; each knows its number, and its check or name if it has one."""
         values = self._taken(key, list, f"tables [[{key}]]")
         made: list[Table] = []
         for number, value in enumerate(values, start=1):
             if not isinstance(value, dict):
                 raise self.fault(key, _shown(value), f"tables [[{key}]]")
-            name = f" ({value['check']})" if isinstance(value.get("check"), str) else ""
-            made.append(Table(f"{self._where}: [[{key}]] number {number}{name}", value))
+            name = value.get("check", value.get("name"))
+            called = f" ({_short(name)})" if isinstance(name, str) else ""
+            made.append(Table(f"{self._where}: [[{key}]] number {number}{called}", value))
         return made
 
     def text(self, key: str) -> str:
@@ -80,6 +85,18 @@ class Table:
             raise self.fault(key, _shown(value), expected)
         return float(value)
 
+    def numbers(self, key: str, count: int, least: float, most: float) -> tuple[float, ...]:
+        """A list of so many finite numbers in a range."""
+        expected = f"{count} numbers from {least:g} to {most:g}"
+        values = self._taken(key, list, expected)
+        right = len(values) == count and all(
+            isinstance(one, int | float) and not isinstance(one, bool) and least <= one <= most
+            for one in values
+        )
+        if not right:
+            raise self.fault(key, _shown(values), expected)
+        return tuple(float(one) for one in values)
+
     def whole(self, key: str, least: int, most: int) -> int:
         """A whole number in a range."""
         expected = f"a whole number from {least} to {most}"
@@ -98,7 +115,10 @@ class Table:
 
 
 def _shown(value: object) -> str:
-    text = f'"{value}"' if isinstance(value, str) else str(value)
+    return _short(f'"{value}"' if isinstance(value, str) else str(value))
+
+
+def _short(text: str) -> str:
     return text if len(text) <= 60 else text[:59] + "…"
 
 
