@@ -56,7 +56,7 @@ def test_own_scenes_are_graded_beside_the_others(rubric: Path) -> None:
 
 
 def test_scenes_count_by_their_weight(rubric: Path) -> None:
-    """Every 997th ray is lost: small pictures have none, and the hidden one counts 2.5 times."""
+    """Every 997th ray is lost, of which small pictures have none; one counts 2.5 times."""
     score = of_pictures(
         graded(corpus_folder() / "wrong" / "every-997th-ray-is-lost.cpp", rubric)
     )
