@@ -13,8 +13,14 @@ from html.parser import HTMLParser
 from typing import Any
 from xml.etree import ElementTree
 
+from markdown_it import MarkdownIt
+
 FORMULA = re.compile(r"\s*[=+\-@\uff1d\uff0b\uff0d\uff20]")
 NUMBER = re.compile(r"\s*[+-][\d.]+(e[+-]?\d+)?\s*([)\]].*)?", re.DOTALL)
+
+
+GFM = MarkdownIt("commonmark", {"html": True}).enable("table")
+"""Markdown with tables and raw HTML, which GitHub renders too."""
 
 
 class _Elements(HTMLParser):
@@ -101,6 +107,43 @@ def csv_reader(escaped: str) -> str:
     assert len(rows) == 1
     assert len(rows[0]) == 3
     return rows[0][1]
+
+
+def autolab_reader(text: str) -> Any:  # noqa: ANN401 - parsed JSON
+    """Read a line as Autolab does: it puts quotes around words before a colon, then parses."""
+    assert len(text.splitlines()) == 1
+    quoted = re.sub(r"([a-zA-Z0-9]+):", r'"\1":', text)
+    assert quoted == text
+    return json_reader(quoted)
+
+
+def markdown_reader(escaped: str) -> str:
+    """Read it in a paragraph, a heading and a cell of a table, where it may only be text."""
+    cells = f"| {escaped} | b |\n| --- | --- |\n| {escaped} | {escaped} |\n"
+    browser = _Elements()
+    browser.feed(GFM.render(f"a {escaped} b\n\n# {escaped}\n\n{cells}"))
+    browser.close()
+    tags = {tag[0] if isinstance(tag, tuple) else str(tag).lstrip("/") for tag in browser.seen}
+    assert tags <= {"p", "h1", "table", "thead", "tbody", "tr", "th", "td", "code"}
+    first, heading, *_ = browser.text.split("\n")
+    assert first == f"a {heading} b"
+    assert browser.seen.count("/td") == 2
+    assert browser.seen.count("/th") == 2
+    assert browser.text.count(heading) >= 4
+    return heading
+
+
+def moodle_reader(escaped: str) -> list[str]:
+    """Read a cell of CSV, and then its text as HTML with line breaks in it."""
+    browser = _Elements()
+    lines = []
+    for line in csv_reader(escaped).split("<br>"):
+        browser.text = ""
+        browser.feed(f"<p>{line}</p>")
+        lines.append(browser.text)
+    browser.close()
+    assert browser.seen == [("p", []), "/p"] * len(lines)
+    return lines
 
 
 def terminal_reader(text: str) -> str:

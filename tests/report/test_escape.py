@@ -11,13 +11,11 @@ from hypothesis import strategies as st
 from rich.cells import cell_len
 
 from grader.errors import OutputFault
-from grader.model.grade import Grade
-from grader.model.stages import Diagnostic, Rejected
-from grader.model.verdict import Example
 from grader.plain import FIELD_LIMIT, one_line, printable
 from grader.report import escape
 from grader.report.as_json import schema_text, to_text
 from tests.report import readers, samples
+from tests.report.everywhere import everywhere
 from tests.report.goldens import SCREENS, Screen, printed
 from tests.report.hostile import HOSTILE
 
@@ -42,6 +40,13 @@ def assert_only_text(text: str) -> None:
     assert readers.script_reader(escape.for_script((text,))) == [shown]
     cell = readers.csv_reader(escape.for_csv(text))
     assert cell.replace("'", "") == one_line(text).replace("'", "")
+    assert readers.autolab_reader(escape.for_autolab({text: [text]})) == {shown: [shown]}
+    line = one_line(text)
+    assert readers.markdown_reader(escape.for_markdown(text)) == line
+    assert readers.markdown_reader(escape.code_for_markdown(text)) == line
+    if len(line) * 6 < FIELD_LIMIT // 2:
+        told = readers.moodle_reader(escape.for_moodle([text, text]))
+        assert [each.replace("'", "") for each in told] == [line.replace("'", "")] * 2
     for encoding in ("utf-8", "cp1252", "ascii"):
         told = readers.terminal_reader(escape.for_terminal(text, encoding))
         told.encode(encoding)
@@ -64,27 +69,6 @@ def test_hostile_text_is_only_text_in_every_format(name: str) -> None:
 def test_any_text_is_only_text_in_every_format(text: str) -> None:
     """Whatever a stranger writes."""
     assert_only_text(text)
-
-
-def everywhere(text: str) -> tuple[Grade, Grade, Grade]:
-    """Put a text wherever a submission can put one: graded, not compiled, refused."""
-    example = Example(text, text, text)
-    score = replace(samples.loose_boxes(text), expected=text, got=text, title=text)
-    score = replace(score, line=1, examples=(example,) * 9)
-    calls = replace(samples.CALLS, lines=((f"_Z{len(text)}{text}", 1),))
-    build = replace(
-        samples.BUILD,
-        calls=calls,
-        diagnostics=(Diagnostic(1, 1, "error", text),) * 99,
-        remarks=(text,),
-        compiler=text,
-    )
-    source = text[:100_000].encode("utf-8", "replace") * 8
-    given = replace(samples.SUBMISSION, student=text, path=text, source=source)
-    graded = replace(samples.changed(c5=score), submission=given, build=build)
-    failed = replace(graded, build=replace(build, library=None))
-    refused = replace(samples.rejected(), submission=Rejected(text, text))
-    return graded, failed, refused
 
 
 @pytest.mark.parametrize("screen", ["56", "color", "cp1252"])

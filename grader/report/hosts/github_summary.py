@@ -39,7 +39,7 @@ def paragraphs(result: Json, limit: int, words: Words) -> Iterator[str]:
         title = for_markdown(f"{part['id']}) {words(part['title'])}")
         yield f"| | **{title}** | **{for_markdown(worth(whole, words))}** |"
     for row in shown:
-        statement = f"{code_for_markdown(row.id)} {code_for_markdown(row.title)}"
+        statement = f"{code_for_markdown(row.id)} {for_markdown(row.title)}"
         yield f"| {SIGNS[row.verdict]} | {statement} | {for_markdown(worth(row, words))} |"
     for row in worst_first(shown):
         yield f"\n### {for_markdown(f'{words(row.verdict)}')} {code_for_markdown(row.id)}\n"

@@ -101,8 +101,9 @@ def explained(check: Json, secret: set[str], words: Words) -> Iterator[str]:
         yield words("waits for a check that is not shown")
     elif check["blocked_by"] is not None:
         yield words("waits for {check}").format(check=check["blocked_by"])
-    elif check["message"]:
-        yield check["message"]
+    elif check["verdict"] != "pass" or ":" in check["message"]:
+        # Of what passes, only names are worth telling: there a student looks for the dragon.
+        yield from filter(None, [check["message"]])
 
 
 def failure(check: Json, words: Words) -> Iterator[str]:
