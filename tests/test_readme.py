@@ -17,6 +17,7 @@ DOCUMENTS = [
     ROOT / "README.md",
     ROOT / "CONTRIBUTING.md",
     ROOT / "docs" / "certificate.md",
+    ROOT / "docs" / "instructor.md",
     ROOT / "docs" / "student.md",
     ROOT / "student_stub" / "README.md",
     ROOT / "scenes" / "README.md",

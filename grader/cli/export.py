@@ -35,7 +35,7 @@ LARGEST = 32 << 20
     "--output",
     type=click.Path(dir_okay=False, path_type=Path),
     metavar="FILE",
-    help="Where to write (default: the worksheet, else HOST.csv).",
+    help="Where to write (default: the worksheet, else grades.csv).",
 )
 @click.option("--grade-column", default="", metavar="NAME", help="Where the points go.")
 @click.option("--feedback-column", default="", metavar="NAME", help="Where the words go.")
@@ -50,7 +50,7 @@ def export(host: str, folder: Path, output: Path | None, **given: Any) -> None: 
     """
     sheet: Path | None = given["worksheet"]
     table = exported(host, folder, sheet, given)
-    target = output or sheet or Path(f"{host}.csv")
+    target = output or sheet or Path("grades.csv")
     write_bytes_whole(target.resolve(), table.data, "name another file with -o")
     tell(table, target)
     raise Exit(LOST_POINTS if table.problems else FULL_MARKS)

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from grader.language import Words
 from grader.report.as_json import Json
 from grader.report.escape import for_csv, for_moodle
-from grader.report.hosts.told import rows, summary, worst_first, worth
+from grader.report.hosts.told import entries, summary, worst_first, worth
 
 
 def feedback_cell(result: Json, host: str, words: Words) -> str:
@@ -19,6 +19,6 @@ def feedback(result: Json, words: Words) -> Iterator[str]:
     yield from summary(result, words).split("\n")
     if not result["build"]["ok"]:
         return
-    for row in worst_first(rows(result, words)):
-        first = row.text.partition("\n")[0]
-        yield f"{row.title} ({worth(row, words)})" + (f": {first}" if first else "")
+    for entry in worst_first(entries(result, words)):
+        first = entry.text.partition("\n")[0]
+        yield f"{entry.title} ({worth(entry, words)})" + (f": {first}" if first else "")

@@ -21,6 +21,7 @@ HELPS: tuple[list[str], ...] = (
     [],
     ["check"],
     ["grade"],
+    ["export"],
     ["scenes"],
     ["scenes", "list"],
     ["scenes", "render"],

@@ -45,8 +45,8 @@ def assert_only_text(text: str) -> None:
     assert readers.markdown_reader(escape.for_markdown(text)) == line
     assert readers.markdown_reader(escape.code_for_markdown(text)) == line
     if len(line) * 6 < FIELD_LIMIT // 2:
-        told = readers.moodle_reader(escape.for_moodle([text, text]))
-        assert [each.replace("'", "") for each in told] == [line.replace("'", "")] * 2
+        lines = readers.moodle_reader(escape.for_moodle([text, text]))
+        assert [each.replace("'", "") for each in lines] == [line.replace("'", "")] * 2
     for encoding in ("utf-8", "cp1252", "ascii"):
         told = readers.terminal_reader(escape.for_terminal(text, encoding))
         told.encode(encoding)

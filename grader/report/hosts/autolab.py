@@ -13,7 +13,7 @@ problem stays without a score until somebody gives it one.
 from grader.language import Words
 from grader.report.as_json import Json
 from grader.report.escape import for_autolab
-from grader.report.hosts.told import Row, headline, rows, unbuilt, worth
+from grader.report.hosts.told import Entry, entries, headline, unbuilt, worth
 
 
 def to_text(result: Json, words: Words = str) -> str:
@@ -39,13 +39,15 @@ def scores(result: Json) -> Json:
 
 def feedback(result: Json, words: Words) -> Json:
     """Write the formatted feedback: a stage for each part, in it a line for each check."""
-    shown = rows(result, words)
+    shown = entries(result, words)
     parts = {part["id"]: f"{part['id']}) {words(part['title'])}" for part in result["parts"]}
     told: Json = {"bvhgrade": whole(result, words)}
     for part, stage in [*parts.items(), ("", words("Both parts"))]:
-        mine = [row for row in shown if row.part == part or not (part or row.part in parts)]
+        mine = [
+            entry for entry in shown if entry.part == part or not (part or entry.part in parts)
+        ]
         if mine:
-            told[stage] = {row.id: case(row, words) for row in mine}
+            told[stage] = {entry.id: case(entry, words) for entry in mine}
     return {"_presentation": "semantic", "stages": list(told), **told}
 
 
@@ -56,7 +58,7 @@ def whole(result: Json, words: Words) -> Json:
     return told if built else {**told, words("error"): unbuilt(result, words)}
 
 
-def case(row: Row, words: Words) -> Json:
+def case(entry: Entry, words: Words) -> Json:
     """Write one check."""
-    told = "\n".join(filter(None, [f"{row.title} ({worth(row, words)})", row.text]))
-    return {"passed": row.verdict == "pass", "hint": told}
+    told = "\n".join(filter(None, [f"{entry.title} ({worth(entry, words)})", entry.text]))
+    return {"passed": entry.verdict == "pass", "hint": told}

@@ -28,8 +28,8 @@ from grader.report.escape import (
     line_for_terminal,
 )
 from grader.report.hosts.told import (
-    Row,
-    rows,
+    Entry,
+    entries,
     summary,
     unbuilt,
     withheld,
@@ -48,28 +48,28 @@ STATUS = {"pass": "pass", "fail": "fail", "blocked": "fail", "broken": "error"}
 def log(result: Json, words: Words = str) -> str:
     """Write what a step prints: annotations, then the report with commands stopped."""
     resume = hashlib.sha256(for_json(result).encode()).hexdigest()
-    shown = rows(result, words)
+    shown = entries(result, words)
     report = [for_terminal(summary(result, words)), ""]
-    for row in shown:
-        line = f"{words(row.verdict)}: {row.id}: {row.title} ({worth(row, words)})"
+    for entry in shown:
+        line = f"{words(entry.verdict)}: {entry.id}: {entry.title} ({worth(entry, words)})"
         report.append(line_for_terminal(line))
-        report += [f"    {line}" for line in for_terminal(row.text).split("\n") if line]
+        report += [f"    {line}" for line in for_terminal(entry.text).split("\n") if line]
     annotations = [*errors(result, shown, words), *warnings(result)]
     return "\n".join([*annotations, f"::stop-commands::{resume}", *report, f"::{resume}::", ""])
 
 
-def errors(result: Json, shown: list[Row], words: Words) -> list[str]:
+def errors(result: Json, shown: list[Entry], words: Words) -> list[str]:
     """Write an error for each cause, the worst first."""
     if result["score"] is None:
         return [annotation("error", "bvhgrade", withheld(words))]
     if not result["build"]["ok"]:
         return [*broken_build(result, words)][:MOST_ANNOTATIONS]
-    causes: dict[str, Row] = {}
-    for row in worst_first(shown):
-        causes.setdefault(row.cause or row.id, row)
+    causes: dict[str, Entry] = {}
+    for entry in worst_first(shown):
+        causes.setdefault(entry.cause or entry.id, entry)
     told = [
-        annotation("error", row.id, f"{row.title}\n{row.text}", row.line)
-        for row in causes.values()
+        annotation("error", entry.id, f"{entry.title}\n{entry.text}", entry.line)
+        for entry in causes.values()
     ]
     return told[:MOST_ANNOTATIONS]
 
@@ -115,31 +115,31 @@ def classroom(result: Json, words: Words) -> Json:
         message = line_for_terminal(withheld(words))
         test = {"name": "bvhgrade", "status": "error", "message": message}
         return {"version": 1, "status": "error", "max_score": 0, "tests": [test]}
-    shown = rows(result, words)
+    shown = entries(result, words)
     # By the checks and not by the points: a rubric may be worth nothing.
-    status = "pass" if all(row.verdict == "pass" for row in shown) else "fail"
+    status = "pass" if all(entry.verdict == "pass" for entry in shown) else "fail"
     return {
         "version": 1,
         "status": status,
         "max_score": result["max_score"],
-        "tests": [classroom_test(row) for row in shown],
+        "tests": [classroom_test(entry) for entry in shown],
     }
 
 
-def classroom_test(row: Row) -> Json:
+def classroom_test(entry: Entry) -> Json:
     """Write one check; the reporter prints its name and message into the log."""
     return {
-        "name": line_for_terminal(f"{row.id} {row.title}"),
-        "status": STATUS[row.verdict],
-        "score": row.score,
-        "message": line_for_terminal(row.text or headline_of(row)),
-        "test_code": f"bvhgrade check --only {row.id}",
+        "name": line_for_terminal(f"{entry.id} {entry.title}"),
+        "status": STATUS[entry.verdict],
+        "score": entry.score,
+        "message": line_for_terminal(entry.text or headline_of(entry)),
+        "test_code": f"bvhgrade check --only {entry.id}",
         "filename": FILE,
-        "line_no": row.line,
+        "line_no": entry.line,
         "duration": 0,
     }
 
 
-def headline_of(row: Row) -> str:
+def headline_of(entry: Entry) -> str:
     """Word a check that has nothing to say; without it the reporter says it did not run."""
-    return f"{row.title} ({worth(row)})"
+    return f"{entry.title} ({worth(entry)})"

@@ -9,7 +9,7 @@ from grader.language import Words
 from grader.plain import printable
 from grader.report.as_json import Json
 from grader.report.escape import SHORTER, code_for_markdown, for_html, for_markdown
-from grader.report.hosts.told import Row, headline, rows, unbuilt, worst_first, worth
+from grader.report.hosts.told import Entry, entries, headline, unbuilt, worst_first, worth
 
 LARGEST = 1_000_000
 """Bytes; the limit is 1,048,576 of all that a step writes."""
@@ -29,21 +29,21 @@ def to_text(result: Json, words: Words = str) -> str:
 
 def paragraphs(result: Json, limit: int, words: Words) -> Iterator[str]:
     """Write all paragraphs, each with an empty line before the next."""
-    shown = rows(result, words)
+    shown = entries(result, words)
     yield f"## {for_markdown(headline(result, words))}\n"
     if not result["build"]["ok"]:
         yield block(unbuilt(result, words), limit)
     yield "| | | |\n| --- | --- | ---: |"
     for part in result["parts"]:
-        whole = Row("", part["id"], "", "", part["score"], part["max_score"], "")
+        whole = Entry("", part["id"], "", "", part["score"], part["max_score"], "")
         title = for_markdown(f"{part['id']}) {words(part['title'])}")
         yield f"| | **{title}** | **{for_markdown(worth(whole, words))}** |"
-    for row in shown:
-        statement = f"{code_for_markdown(row.id)} {for_markdown(row.title)}"
-        yield f"| {SIGNS[row.verdict]} | {statement} | {for_markdown(worth(row, words))} |"
-    for row in worst_first(shown):
-        yield f"\n### {for_markdown(f'{words(row.verdict)}')} {code_for_markdown(row.id)}\n"
-        yield block(f"{row.title}\n{row.text}", limit)
+    for entry in shown:
+        statement = f"{code_for_markdown(entry.id)} {for_markdown(entry.title)}"
+        yield f"| {SIGNS[entry.verdict]} | {statement} | {for_markdown(worth(entry, words))} |"
+    for entry in worst_first(shown):
+        yield f"\n### {for_markdown(f'{words(entry.verdict)}')} {code_for_markdown(entry.id)}\n"
+        yield block(f"{entry.title}\n{entry.text}", limit)
 
 
 def block(text: str, limit: int) -> str:

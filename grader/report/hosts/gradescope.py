@@ -3,15 +3,16 @@
 Source: gradescope/autograder_samples, docs/specs.md; the harness 0.15.0 cuts every output of
 more than 100,000 characters in the middle, and takes what is no JSON for a score of 0.
 
-A score that is withheld is written nowhere: neither for the whole, nor for a check. Gradescope
-wants one or the other, so it reports that the autograder failed, which is true, and an
-instructor can run it again. A score of the other checks alone would count as the grade.
+A score that is withheld is written nowhere: neither for the whole, nor for a check. The
+specification wants one or the other, so the run should count as failed, which it is, and an
+instructor can start it again; what the closed site does was not tried. A score of the other
+checks alone would count as the grade.
 """
 
 from grader.language import Words
 from grader.report.as_json import Json
 from grader.report.escape import for_json
-from grader.report.hosts.told import Row, every_row, summary
+from grader.report.hosts.told import Entry, every_entry, summary
 
 STATUS = {"pass": "passed", "fail": "failed", "blocked": "failed"}
 """Only a check that moves points has one; a gate of 0 points would else count as passed."""
@@ -29,27 +30,27 @@ def to_text(result: Json, words: Words = str) -> str:
         "stdout_visibility": "hidden",
         "execution_time": result["timing"]["total"],
         "extra_data": provenance(result),
-        "tests": [test(row, known) for row in every_row(result, words)],
+        "tests": [test(entry, known) for entry in every_entry(result, words)],
     }
     return for_json({"score": result["score"], **told} if known else told) + "\n"
 
 
-def test(row: Row, known: bool) -> Json:
+def test(entry: Entry, known: bool) -> Json:
     """Write one check.
 
     Args:
-        row: The check.
+        entry: The check.
         known: Whether the score of the whole is; else that of a check would make one up.
     """
-    scored = {"score": row.score, "status": STATUS[row.verdict]} if known else {}
+    scored = {"score": entry.score, "status": STATUS[entry.verdict]} if known else {}
     return {
         # Names are sentences, and two of them might be equal; ids never are.
-        "name": f"{row.id}: {row.title}",
+        "name": f"{entry.id}: {entry.title}",
         **scored,
-        "max_score": row.max_score,
-        "output": row.text,
-        "visibility": row.visibility,
-        "tags": [row.id, row.part],
+        "max_score": entry.max_score,
+        "output": entry.text,
+        "visibility": entry.visibility,
+        "tags": [entry.id, entry.part],
     }
 
 

@@ -12,7 +12,7 @@ from collections.abc import Iterator, Mapping
 from grader.language import Words
 from grader.report.as_json import Json
 from grader.report.escape import for_xml
-from grader.report.hosts.told import Row, headline, rows, unbuilt
+from grader.report.hosts.told import Entry, entries, headline, unbuilt
 
 FILE = "src/exercise03.cpp"
 
@@ -28,19 +28,19 @@ TYPES = {
 
 def to_text(result: Json, words: Words = str) -> str:
     """Write the file."""
-    shown = rows(result, words)
+    shown = entries(result, words)
     spent = result["timing"]["checks"]
     titles = {part["id"]: f"{part['id']}) {words(part['title'])}" for part in result["parts"]}
     lines = ['<?xml version="1.0" encoding="UTF-8"?>']
     total = result["timing"]["total"]
     lines.append(f"<testsuites{attributes(counted('bvhgrade', shown, total))}>")
-    for title in dict.fromkeys(titles.get(row.part, words("Both parts")) for row in shown):
+    for title in dict.fromkeys(titles.get(entry.part, words("Both parts")) for entry in shown):
         mine = [r for r in shown if titles.get(r.part, words("Both parts")) == title]
-        seconds = sum(spent.get(row.id, 0) for row in mine)
+        seconds = sum(spent.get(entry.id, 0) for entry in mine)
         lines.append(f" <testsuite{attributes(counted(title, mine, seconds))}>")
         lines += properties("  ", whole(result, words))
-        for row in mine:
-            lines += test_case(row, spent.get(row.id, 0), words)
+        for entry in mine:
+            lines += test_case(entry, spent.get(entry.id, 0), words)
         lines.append(" </testsuite>")
     return "\n".join([*lines, "</testsuites>", ""])
 
@@ -58,9 +58,9 @@ def whole(result: Json, words: Words) -> dict[str, object]:
     }
 
 
-def counted(name: str, given: list[Row], seconds: float) -> dict[str, object]:
+def counted(name: str, given: list[Entry], seconds: float) -> dict[str, object]:
     """Name a suite and count how its test cases ended."""
-    verdicts = [row.verdict for row in given]
+    verdicts = [entry.verdict for entry in given]
     return {
         "name": name,
         "tests": len(given),
@@ -71,20 +71,21 @@ def counted(name: str, given: list[Row], seconds: float) -> dict[str, object]:
     }
 
 
-def test_case(row: Row, seconds: float, words: Words) -> Iterator[str]:
+def test_case(entry: Entry, seconds: float, words: Words) -> Iterator[str]:
     """Write one check."""
-    topic, _, statement = row.id.partition(".")
+    topic, _, statement = entry.id.partition(".")
     named = {"classname": topic, "name": statement, "time": f"{seconds:.3f}", "file": FILE}
     yield f"  <testcase{attributes(named)}>"
-    score = {} if row.score is None else {"points": row.score}
-    yield from properties("   ", {"title": row.title, **score, "max_points": row.max_score})
-    message = {"message": row.text.partition("\n")[0] or row.title}
-    body = for_xml(row.text)
-    if row.verdict == "fail":
-        yield f"   <failure{attributes({**message, 'type': TYPES[row.stop]})}>{body}</failure>"
-    elif row.verdict == "broken":
-        yield f"   <error{attributes({**message, 'type': words('broken')})}>{body}</error>"
-    elif row.verdict == "blocked":
+    score = {} if entry.score is None else {"points": entry.score}
+    yield from properties("   ", {"title": entry.title, **score, "max_points": entry.max_score})
+    message = {"message": entry.text.partition("\n")[0] or entry.title}
+    body = for_xml(entry.text)
+    if entry.verdict == "fail":
+        kind = attributes({**message, "type": TYPES[entry.stop]})
+        yield f"   <failure{kind}>{body}</failure>"
+    elif entry.verdict == "broken":
+        yield f"   <error{attributes({**message, 'type': 'GraderFault'})}>{body}</error>"
+    elif entry.verdict == "blocked":
         yield f"   <skipped{attributes(message)}/>"
     yield "  </testcase>"
 

@@ -11,7 +11,7 @@ and takes no points, and shows why. There are no tests then, since each would ne
 from grader.language import Words
 from grader.report.as_json import Json
 from grader.report.escape import for_json
-from grader.report.hosts.told import Row, headline, rows, summary, withheld
+from grader.report.hosts.told import Entry, entries, headline, summary, withheld
 
 
 def to_text(result: Json, words: Words = str) -> str:
@@ -23,7 +23,7 @@ def to_text(result: Json, words: Words = str) -> str:
         "score": share(result),
         "message": headline(result, words),
         "output": summary(result, words),
-        "tests": [test(row) for row in rows(result, words)],
+        "tests": [test(entry) for entry in entries(result, words)],
     }
     return for_json(told) + "\n"
 
@@ -34,12 +34,12 @@ def share(result: Json) -> float:
     return result["score"] / possible if possible else 0.0
 
 
-def test(row: Row) -> Json:
+def test(entry: Entry) -> Json:
     """Write one check; points and maximum are always there, 0 of 0 for a gate."""
     return {
-        "name": row.id,
-        "description": row.title,
-        "points": row.score,
-        "max_points": row.max_score,
-        "output": row.text,
+        "name": entry.id,
+        "description": entry.title,
+        "points": entry.score,
+        "max_points": entry.max_score,
+        "output": entry.text,
     }

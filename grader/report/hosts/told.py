@@ -1,6 +1,6 @@
 """What does every host say about a result? Decided once: what is shown, worst first, in words.
 
-A host without a way to hide a check gets one row for all that are hidden or wait for the due
+A host without a way to hide a check gets one entry for all that are hidden or wait for the due
 date: their points belong to the sum, and nothing else of them is told. A fault of the grader is
 told in one fixed sentence, since its message is a traceback for a maintainer.
 """
@@ -15,13 +15,13 @@ from grader.report.as_json import Json
 VISIBLE = "visible"
 
 NOT_SHOWN = "checks.not-shown"
-"""Id of the row for everything that is not shown."""
+"""Id of the entry for everything that is not shown."""
 
 _SHARE = re.compile(r"(.*) This explains ([\d,]+) of ([\d,]+) places\.", re.DOTALL)
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class Entry:
     """One line of a host's table: a check, or all those that are not shown."""
 
     id: str
@@ -44,23 +44,23 @@ class Row:
     """Line of the student's file; 0 if none is known."""
 
 
-def rows(result: Json, words: Words = str) -> list[Row]:
+def entries(result: Json, words: Words = str) -> list[Entry]:
     """List the checks that are shown, and what the others are worth together."""
     hidden = [one for one in result["checks"] if one["visibility"] != VISIBLE]
-    shown = [row for row in every_row(result, words) if row.visibility == VISIBLE]
+    shown = [entry for entry in every_entry(result, words) if entry.visibility == VISIBLE]
     return [*shown, not_shown(hidden, words)] if hidden else shown
 
 
-def every_row(result: Json, words: Words = str) -> list[Row]:
+def every_entry(result: Json, words: Words = str) -> list[Entry]:
     """List all checks, for a host that hides what it is told to hide."""
     secret = {one["id"] for one in result["checks"] if one["visibility"] != VISIBLE}
-    return [row_of(one, secret, words) for one in result["checks"]]
+    return [entry_of(one, secret, words) for one in result["checks"]]
 
 
-def row_of(check: Json, secret: set[str], words: Words) -> Row:
-    """Turn a check into a row."""
+def entry_of(check: Json, secret: set[str], words: Words) -> Entry:
+    """Turn a check into a entry."""
     place = check["location"]
-    return Row(
+    return Entry(
         check["id"],
         check["part"],
         words(check["title"]),
@@ -75,12 +75,12 @@ def row_of(check: Json, secret: set[str], words: Words) -> Row:
     )
 
 
-def not_shown(hidden: list[Json], words: Words) -> Row:
+def not_shown(hidden: list[Json], words: Words) -> Entry:
     """Add up the checks that are not shown; nothing tells which of them holds."""
     scores = [one["score"] for one in hidden]
     broken = any(score is None for score in scores)
     holds = all(one["verdict"] == "pass" for one in hidden)
-    return Row(
+    return Entry(
         NOT_SHOWN,
         "both",
         words("Checks that are not shown here"),
@@ -146,15 +146,15 @@ def hint(text: str, words: Words) -> str:
     return f"{words(sentence)} {told.format(fits=share[0], places=share[1])}"
 
 
-def worst_first(given: list[Row]) -> list[Row]:
+def worst_first(given: list[Entry]) -> list[Entry]:
     """Order the failures by the points they cost; those of equal cost keep their order."""
-    failed = [row for row in given if row.verdict == "fail"]
+    failed = [entry for entry in given if entry.verdict == "fail"]
     return sorted(failed, key=lost, reverse=True)
 
 
-def lost(row: Row) -> float:
-    """Count the points that a row lost for sure."""
-    return 0 if row.score is None else row.max_score - row.score
+def lost(entry: Entry) -> float:
+    """Count the points that a entry lost for sure."""
+    return 0 if entry.score is None else entry.max_score - entry.score
 
 
 def headline(result: Json, words: Words = str) -> str:
@@ -174,14 +174,14 @@ def withheld(words: Words = str) -> str:
     )
 
 
-def worth(row: Row, words: Words = str) -> str:
-    """Word what a row is worth."""
-    if row.score is None:
+def worth(entry: Entry, words: Words = str) -> str:
+    """Word what a entry is worth."""
+    if entry.score is None:
         return words("withheld")
-    if not row.max_score:
+    if not entry.max_score:
         return words("gate")
     score = words("{score} of {possible}")
-    return score.format(score=f"{row.score:g}", possible=f"{row.max_score:g}")
+    return score.format(score=f"{entry.score:g}", possible=f"{entry.max_score:g}")
 
 
 def unbuilt(result: Json, words: Words = str) -> str:
@@ -209,6 +209,6 @@ def summary(result: Json, words: Words = str) -> str:
     """Say the score, the points of each part, and why nothing was graded if so."""
     told = [headline(result, words)]
     for part in result["parts"]:
-        row = Row("", part["id"], "", "", part["score"], part["max_score"], "")
-        told.append(f"{part['id']}) {words(part['title'])}: {worth(row, words)}")
+        entry = Entry("", part["id"], "", "", part["score"], part["max_score"], "")
+        told.append(f"{part['id']}) {words(part['title'])}: {worth(entry, words)}")
     return "\n".join([*told, *filter(None, [unbuilt(result, words)])])

@@ -6,7 +6,7 @@ import pytest
 
 from grader.report.as_json import Json
 from grader.report.hosts import github, github_summary
-from grader.report.hosts.told import rows, worst_first
+from grader.report.hosts.told import entries, worst_first
 from tests.report import real
 from tests.report.hosts import rules
 from tests.report.readers import GFM, commands
@@ -123,7 +123,7 @@ def test_the_word_that_lets_commands_work_again_changes_with_the_text() -> None:
 def test_the_summary_lists_every_check_and_explains_each_failure() -> None:
     """In a table that a renderer takes for one, then worst first."""
     result = real.real("first-hit-wins")
-    shown = rows(result)
+    shown = entries(result)
     page = GFM.render(github_summary.to_text(result))
     assert page.count("<tr>") == 1 + len(result["parts"]) + len(shown)
     assert "<h2>38.25 of 50 points</h2>" in page

@@ -7,7 +7,7 @@ import pytest
 from grader.report.as_json import Json
 from grader.report.formats import FORMATS
 from grader.report.hosts import gradescope
-from grader.report.hosts.told import NOT_SHOWN, rows
+from grader.report.hosts.told import NOT_SHOWN, entries
 from tests.report import real
 from tests.report.hosts import rules
 
@@ -68,10 +68,10 @@ def test_what_is_not_shown_is_one_row_with_its_points(name: str, verdict: str) -
     """Which of them failed cannot be told from it."""
     result = real.partly_hidden(name)
     hidden = [one for one in result["checks"] if one["visibility"] != "visible"]
-    (row,) = (row for row in rows(result) if row.id == NOT_SHOWN)
-    assert row.score == sum(one["score"] for one in hidden)
-    assert row.max_score == sum(one["max_score"] for one in hidden) == 10
-    assert (row.verdict, row.text) == (verdict, "")
+    (entry,) = (each for each in entries(result) if each.id == NOT_SHOWN)
+    assert entry.score == sum(one["score"] for one in hidden)
+    assert entry.max_score == sum(one["max_score"] for one in hidden) == 10
+    assert (entry.verdict, entry.text) == (verdict, "")
 
 
 def test_a_hidden_check_that_broke_withholds_the_row() -> None:
@@ -80,9 +80,9 @@ def test_a_hidden_check_that_broke_withholds_the_row() -> None:
     for check in result["checks"]:
         if check["verdict"] == "broken":
             check["visibility"] = "hidden"
-    (row,) = (row for row in rows(result) if row.id == NOT_SHOWN)
-    assert (row.verdict, row.score) == ("broken", None)
-    assert "costs no points" in row.text
+    (entry,) = (each for each in entries(result) if each.id == NOT_SHOWN)
+    assert (entry.verdict, entry.score) == ("broken", None)
+    assert "costs no points" in entry.text
 
 
 @pytest.mark.parametrize("path", everything(real.real("right")))

@@ -1,0 +1,34 @@
+"""Folders of a class, one for each student, with real results in them."""
+
+import json
+from collections.abc import Mapping
+from pathlib import Path
+
+from tests.report import real
+
+CLASS = {
+    "Ada Lovelace_101_assignsubmission_file": "right",
+    "Grace Hopper_102_assignsubmission_file": "first-hit-wins",
+    "Jörg Müller_103_assignsubmission_file": "boxes-of-the-parent",
+    "Lin Tan_104_assignsubmission_file": "uncompiled",
+    "No File_105_assignsubmission_file": "rejected",
+    "Our Fault_106_assignsubmission_file": "withheld",
+}
+
+POINTS = {101: 50, 102: 38.25, 103: 46.25, 104: 0, 105: 0}
+"""Of each participant; nobody knows those of 106."""
+
+
+def write_class(folder: Path, students: Mapping[str, str]) -> Path:
+    """Write a real result for each student.
+
+    Args:
+        folder: Where; it is made.
+        students: Name of a folder, and of a real result.
+    """
+    results = real.every_result()
+    for student, name in students.items():
+        below = folder / student
+        below.mkdir(parents=True)
+        (below / "result.json").write_text(json.dumps(results[name]), encoding="utf-8")
+    return folder

@@ -1,0 +1,121 @@
+"""Results are read from folders, strictly, and belong to whom the folder says."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from grader.errors import UsageError
+from grader.gradebook.results import Ids, ids_of, results_in
+from tests.gradebook.folders import CLASS, write_class
+from tests.report import real
+
+
+def test_every_result_is_found_in_order(tmp_path: Path) -> None:
+    """Also of groups, with the student's name from the folder."""
+    write_class(tmp_path / "group-b", {"zoe": "right"})
+    write_class(tmp_path / "group-a", {"bob": "rejected", "ada": "right"})
+    found = results_in(tmp_path)
+    assert [one.student for one in found] == ["ada", "bob", "zoe"]
+    assert [one.result["score"] for one in found] == [50, 0, 50]
+
+
+def test_a_submission_s_own_name_is_nobody_s_id(tmp_path: Path) -> None:
+    """It is the student's to choose: Bob might hand in a file that is called ada.zip."""
+    write_class(tmp_path, {"bob": "rejected"})
+    path = tmp_path / "bob" / "result.json"
+    result = json.loads(path.read_text())
+    result["submission"]["name"] = "ada"
+    path.write_text(json.dumps(result))
+    (one,) = results_in(tmp_path)
+    assert "ada" not in (one.student, one.ids.account, one.ids.full_name)
+
+
+def test_nothing_below_a_result_counts(tmp_path: Path) -> None:
+    """A submission that holds a folder of somebody else's name is no result of theirs."""
+    write_class(tmp_path, {"bob": "rejected", "bob/files/ada": "right"})
+    assert [one.student for one in results_in(tmp_path)] == ["bob"]
+
+
+def test_the_usual_folder_of_grade_belongs_to_the_one_above(tmp_path: Path) -> None:
+    """Somebody graded in each student's folder without -o."""
+    write_class(tmp_path, {"ada/bvhgrade-out": "right"})
+    assert [one.student for one in results_in(tmp_path)] == ["ada"]
+
+
+def test_no_link_is_followed(tmp_path: Path) -> None:
+    """Neither to a folder nor to a file."""
+    write_class(tmp_path / "real", {"ada": "right"})
+    write_class(tmp_path / "class", {"bob": "right"})
+    (tmp_path / "class" / "eve").symlink_to(tmp_path / "real" / "ada")
+    assert [one.student for one in results_in(tmp_path / "class")] == ["bob"]
+    (tmp_path / "class" / "mal").mkdir()
+    (tmp_path / "class" / "mal" / "result.json").symlink_to(tmp_path / "real/ada/result.json")
+    with pytest.raises(UsageError, match=r"mal/result\.json"):
+        results_in(tmp_path / "class")
+
+
+@pytest.mark.parametrize(
+    ("name", "ids"),
+    [
+        (
+            "Ada Lovelace_101_assignsubmission_file_",
+            Ids(participant="101", full_name="Ada Lovelace"),
+        ),
+        (
+            "Ada Lovelace_101_assignsubmission_file_Bob_102_assignsubmission_file_x",
+            Ids(participant="101", full_name="Ada Lovelace"),
+        ),
+        ("lovelaceada_9001_55_exercise03", Ids(canvas="9001")),
+        ("lovelaceada_LATE_9001_55_x_9002_56_y", Ids(canvas="9001")),
+        ("ada@uni.example", Ids(account="ada@uni.example", full_name="ada@uni.example")),
+        ("9001", Ids(account="9001", canvas="9001", full_name="9001")),
+    ],
+)
+def test_a_platform_s_name_of_a_folder_is_understood(name: str, ids: Ids) -> None:
+    """And only its beginning, since the end is the name of the student's file."""
+    assert ids_of(name) == ids
+
+
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [
+        (b"", "not JSON"),
+        (b"{", "not JSON"),
+        (b"\xff\xfe", "not JSON"),
+        (b"[" * 100_000, "not JSON"),
+        (b"[]", "schema is None, but 1"),
+        (b'{"schema": 2}', "schema is 2, but 1"),
+        (b'{"schema": 1}', "submission is missing"),
+        (b'{"schema": 1, "score": NaN}', "NaN is no number"),
+        (b" " * 900_001, "more than 900,000 bytes"),
+    ],
+)
+def test_a_damaged_result_is_named(tmp_path: Path, content: bytes, said: str) -> None:
+    """With its path, what is wrong and what to do; nothing is concluded from the others."""
+    write_class(tmp_path, {"ada": "right"})
+    (tmp_path / "bob").mkdir()
+    (tmp_path / "bob" / "result.json").write_bytes(content)
+    with pytest.raises(UsageError, match=said) as fault:
+        results_in(tmp_path)
+    assert str(fault.value).startswith(f"{tmp_path}/bob/result.json: ")
+    assert str(fault.value).endswith("grade this submission again")
+
+
+def test_an_infinite_score_is_refused(tmp_path: Path) -> None:
+    """JSON has no word for it, and yet Python reads one."""
+    text = json.dumps(real.real("right")).replace('"score": 50', '"score": 1e999', 1)
+    (tmp_path / "result.json").write_text(text)
+    with pytest.raises(UsageError, match="score is inf"):
+        results_in(tmp_path)
+
+
+def test_a_folder_without_results_is_wrong_usage(tmp_path: Path) -> None:
+    """Most likely it is the folder of the submissions."""
+    with pytest.raises(UsageError, match=r"no result\.json below it"):
+        results_in(tmp_path)
+
+
+def test_a_whole_class(tmp_path: Path) -> None:
+    """The folders that the other tests use."""
+    assert [one.student for one in results_in(write_class(tmp_path, CLASS))] == sorted(CLASS)
