@@ -139,6 +139,16 @@ def test_a_cell_is_guarded_and_numbers_are_not(text: str, cell: str) -> None:
     assert escape.for_csv(text) == cell
 
 
+def test_feedback_that_is_too_long_for_a_cell_loses_whole_lines() -> None:
+    """Half an entity, or half of our own line break, would be something else in HTML."""
+    lines = readers.moodle_reader(
+        escape.for_moodle([f"{n} <b> & {'<' * 90}" for n in range(99)])
+    )
+    assert lines[-1] == "..."
+    assert 5 < len(lines) < 20
+    assert lines[0] == f"0 <b> & {'<' * 90}"
+
+
 @pytest.mark.parametrize(
     "text", ["no member 'BVH::x::y'", "a ## b", "vector::at: 3 >= 3", "operator[]", "a::b::c"]
 )
