@@ -68,9 +68,12 @@ def errors(result: Json, shown: list[Entry], words: Words) -> list[str]:
     for entry in worst_first(shown):
         causes.setdefault(entry.cause or entry.id, entry)
     told = [
-        annotation("error", entry.id, f"{entry.title}\n{entry.text}", entry.line)
+        annotation("error", entry.id, f"{entry.title}\n{entry.text}".strip(), entry.line)
         for entry in causes.values()
     ]
+    if not told and result["score"] < result["max_score"]:
+        # Nothing is wrong with what was not started; without a word it would look right.
+        told.append(annotation("error", "bvhgrade", summary(result, words)))
     return told[:MOST_ANNOTATIONS]
 
 

@@ -40,6 +40,8 @@ def paragraphs(result: Json, limit: int, words: Words) -> Iterator[str]:
         yield f"| | **{title}** | **{for_markdown(worth(whole, words))}** |"
     for entry in shown:
         statement = f"{code_for_markdown(entry.id)} {for_markdown(entry.title)}"
+        if entry.text and entry.verdict != "fail":
+            statement += f": {code_for_markdown(printable(entry.text, limit))}"
         yield f"| {SIGNS[entry.verdict]} | {statement} | {for_markdown(worth(entry, words))} |"
     for entry in worst_first(shown):
         yield f"\n### {for_markdown(f'{words(entry.verdict)}')} {code_for_markdown(entry.id)}\n"

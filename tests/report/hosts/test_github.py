@@ -1,13 +1,14 @@
 """A runner shows the causes that cost most, and hears nothing from whom we quote."""
 
+import json
 import re
 
 import pytest
 
-from grader.report.as_json import Json
+from grader.report.as_json import Json, to_text
 from grader.report.hosts import github, github_summary
 from grader.report.hosts.told import entries, worst_first
-from tests.report import real
+from tests.report import real, samples
 from tests.report.hosts import rules
 from tests.report.readers import GFM, commands
 
@@ -96,6 +97,16 @@ def test_a_right_submission_has_no_annotation() -> None:
     step = rules.runner(github.log(real.real("right")))
     assert not step.annotations
     assert step.stopped[0] == "50 of 50 points"
+
+
+def test_what_was_not_started_is_told() -> None:
+    """Nothing is wrong with it, but no annotation at all would look like full marks."""
+    result = json.loads(to_text(samples.starter()))
+    ((kind, _, message),) = rules.runner(github.log(result)).annotations
+    assert kind == "error"
+    assert message.startswith("0 of 50 points")
+    page = GFM.render(github_summary.to_text(result))
+    assert page.count("not started: it still does what the given code does") == 8
 
 
 def test_a_student_cannot_forge_a_grade() -> None:
