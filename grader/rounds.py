@@ -75,7 +75,7 @@ class Rounds:
         self._solution = solution
         self._rubric = rubric
         self._options = options
-        self._gallery = Gallery(engines.graded)
+        self._gallery = Gallery(engines.graded, rubric.scenes)
         self.small_depths: list[DepthCase] = []
         """Trees of the sanitized build, which say something only if they end at its limit."""
 

@@ -5,15 +5,16 @@ Nothing is decided here any more: our own fault costs a picture, and no point.
 
 from collections.abc import Sequence
 from dataclasses import replace
+from pathlib import Path
 
 from grader.errors import Interrupted
-from grader.gallery.models import Seen, models
+from grader.gallery.hung import Exhibit, hung
+from grader.gallery.models import models
 from grader.gallery.pictures import pictures
 from grader.model.cases import Case, ImageCase, TreeCase
 from grader.model.grade import Grade
 from grader.model.trials import ImageTrial, Trial
 from grader.model.views import Views
-from grader.oracle.scenes import scenes
 from grader.run.session import Allowance, Engine
 
 PATH_SECONDS = 2.0
@@ -23,10 +24,16 @@ PATH_SECONDS = 2.0
 class Gallery:
     """The pictures and trees of one submission."""
 
-    def __init__(self, engine: Engine) -> None:
-        """Begin with nothing; the engine traces shadow rays."""
+    def __init__(self, engine: Engine, own: Path | None = None) -> None:
+        """Begin with nothing.
+
+        Args:
+            engine: Traces shadow rays.
+            own: A course's own folder of scenes, used beside the shipped one.
+        """
         self._engine = engine
-        self._scenes = scenes()
+        self._hung = {one.scene.name: one for one in hung(own)}
+        self._meshes = {one.scene.mesh for one in self._hung.values()}
         self._seen: dict[str, ImageCase] = {}
         self._trees: dict[str, TreeCase] = {}
 
@@ -34,7 +41,7 @@ class Gallery:
         """Keep a case if something can be drawn from it."""
         if isinstance(case, ImageCase):
             self._seen[case.name] = case
-        elif isinstance(case, TreeCase) and case.name in {one.mesh for one in self._scenes}:
+        elif isinstance(case, TreeCase) and case.name in self._meshes:
             self._trees[case.name] = case
 
     def shown(self, grade: Grade, trials: Sequence[Trial], seconds: float) -> Grade:
@@ -53,13 +60,19 @@ class Gallery:
             return _remarked(grade, type(fault).__name__)
 
     def _views(self, grade: Grade, trials: Sequence[Trial], seconds: float) -> Views:
-        wanted = {trial.name for trial in trials if isinstance(trial, ImageTrial)}
-        shown = [scene for scene in self._scenes if scene.name in wanted]
+        # What a rubric hides is in no report, whoever reads it.
+        asked = [one for one in trials if isinstance(one, ImageTrial) and one.shown]
+        exhibits = [self._exhibit(one) for one in asked if one.name in self._hung]
         allowed = Allowance(min(PATH_SECONDS, seconds / 4), seconds / 4)
         return Views(
-            pictures(shown, self._seen, self._engine, seconds / 2),
-            models(grade, trials, Seen(self._seen, self._trees), self._engine, allowed),
+            pictures(exhibits, self._engine, seconds / 2),
+            models(grade, exhibits, self._engine, allowed),
         )
+
+    def _exhibit(self, trial: ImageTrial) -> Exhibit:
+        place = self._hung[trial.name]
+        tree = self._trees.get(place.scene.mesh)
+        return Exhibit(place, trial, self._seen.get(trial.name), tree)
 
 
 def _remarked(grade: Grade, fault: str) -> Grade:

@@ -4,8 +4,8 @@ First the small inputs that fail a check, in the order of the checks; then one s
 submission's own tree over it and the first pixel that it got wrong.
 """
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -19,14 +19,13 @@ from grader.counterexample.shown import (
     with_ray,
 )
 from grader.gallery.coarse import coarsened
-from grader.model.cases import ImageCase, TreeCase
+from grader.gallery.hung import Exhibit, Hung, key_of
+from grader.model.cases import ImageCase
 from grader.model.grade import Grade
 from grader.model.mesh import Bvh, Integers, Mesh
-from grader.model.trials import ImageTrial, Trial
 from grader.model.verdict import Verdict
 from grader.model.views import Model, ShownRay
-from grader.oracle.remember import digest_of, remember
-from grader.oracle.scenes import scene_named, scenes_sha256
+from grader.oracle.remember import remember
 from grader.run.job import Job
 from grader.run.session import Allowance, Engine, run_job
 from grader.run.transfer import on_tree, record
@@ -43,67 +42,44 @@ Loose = tuple[int, tuple[float, ...], Integers]
 NOTHING_LOOSE: Loose = (-1, (), np.zeros(0, np.int64))
 
 
-@dataclass(frozen=True, slots=True)
-class Seen:
-    """What a submission delivered, as far as it can be drawn."""
-
-    pictures: Mapping[str, ImageCase]
-    """By the name of the scene."""
-
-    trees: Mapping[str, TreeCase]
-    """By the name of the mesh."""
-
-
 def models(
-    grade: Grade,
-    trials: Sequence[Trial],
-    seen: Seen,
-    engine: Engine,
-    allowed: Allowance,
+    grade: Grade, exhibits: Sequence[Exhibit], engine: Engine, allowed: Allowance
 ) -> tuple[Model, ...]:
     """Collect what can be turned.
 
     Args:
         grade: Its failed checks bring their counterexamples.
-        trials: The plan's.
-        seen: What the submission built and saw.
+        exhibits: The scenes, with what the submission delivered.
         engine: Records the path of a ray.
         allowed: How long that may take.
     """
     found = [score.counterexample for score in grade.checks if score.counterexample]
     small = [one.model for one in found if one.model is not None]
-    pictures = [trial for trial in trials if isinstance(trial, ImageTrial)]
-    if not pictures:
+    if not exhibits:
         return tuple(small)
-    chosen = max(pictures, key=lambda trial: _telling(trial, seen.pictures.get(trial.name)))
-    built = seen.trees.get(scene_named(chosen.name).mesh)
+    chosen = max(exhibits, key=_telling)
     # To see that every box of a right tree is right takes as long as the check itself.
     doubtful = any(one.part == "a" and one.verdict is not Verdict.PASS for one in grade.checks)
-    case = seen.pictures.get(chosen.name)
-    ray = None if case is None else _wrong_ray(case, engine, allowed)
-    return (*small, _scene(chosen, built, doubtful, ray))
+    ray = None if chosen.seen is None else _wrong_ray(chosen.seen, engine, allowed)
+    return (*small, _scene(chosen, doubtful, ray))
 
 
-def _telling(trial: ImageTrial, case: ImageCase | None) -> tuple[float, int]:
+def _telling(one: Exhibit) -> tuple[float, int]:
     """Order scenes: first the one with most of its pixels wrong, then the one of most faces."""
-    share = 0.0 if case is None else float(wrong_pixels(case).mean())
-    return share, len(trial.mesh.faces)
+    share = 0.0 if one.seen is None else float(wrong_pixels(one.seen).mean())
+    return share, len(one.trial.mesh.faces)
 
 
-def _scene(
-    trial: ImageTrial,
-    built: TreeCase | None,
-    doubtful: bool,
-    ray: ShownRay | None,
-) -> Model:
+def _scene(one: Exhibit, doubtful: bool, ray: ShownRay | None) -> Model:
     """Show a scene with the submission's tree, or with ours if it has none."""
+    built, trial = one.built, one.trial
     mesh, tree = (trial.mesh, trial.tree) if built is None else (built.trial.mesh, built.bvh)
-    small, kept = _coarse(trial.name, mesh)
+    small, kept = _coarse(one.place, mesh)
     looked = built is not None and doubtful
     node, box, marked = _loose(mesh, tree) if looked else NOTHING_LOOSE
     return Model(
         check="",
-        title=scene_named(trial.name).title,
+        title=one.place.scene.title,
         mesh=small,
         faces=len(mesh.faces),
         low=boxes(tree)[0],
@@ -115,9 +91,9 @@ def _scene(
     )
 
 
-def _coarse(name: str, mesh: Mesh) -> tuple[Mesh, Integers]:
+def _coarse(place: Hung, mesh: Mesh) -> tuple[Mesh, Integers]:
     """Coarsen a mesh once for all submissions; the order of faces is part of it."""
-    key = digest_of("coarse", scenes_sha256(), name, MOST_FACES, mesh.faces)
+    key = key_of(place, "coarse", MOST_FACES, mesh.faces)
     small, kept = remember(key, lambda: coarsened(mesh, MOST_FACES))
     return small, kept
 

@@ -1,17 +1,16 @@
 """What did the submission see of each scene, and how is that unlike Mitsuba's picture?"""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 
-from grader.gallery.shading import displayed, shaded, shadow_rays
+from grader.gallery.hung import Exhibit, reference_picture
+from grader.gallery.shading import shaded, shadow_rays
 from grader.model.cases import ImageCase
 from grader.model.mesh import Bytes, Floats, Mask
-from grader.model.scene import NO_FACE, Scene
+from grader.model.scene import Scene
 from grader.model.stages import Stop
 from grader.model.views import Drawing, Picture
-from grader.oracle.remember import digest_of, remember
-from grader.oracle.scenes import load_mesh, load_reference, scenes_sha256
 from grader.run.job import Job
 from grader.run.session import Allowance, Engine, run_job
 from grader.run.transfer import on_tree, trace
@@ -31,41 +30,25 @@ SHADOW_SECONDS = 2.0
 
 
 def pictures(
-    shown: Sequence[Scene],
-    seen: Mapping[str, ImageCase],
-    engine: Engine,
-    seconds: float,
+    exhibits: Sequence[Exhibit], engine: Engine, seconds: float
 ) -> tuple[Picture, ...]:
     """Draw scenes.
 
     Args:
-        shown: Which.
-        seen: What the submission delivered, by the name of the scene.
+        exhibits: Which, with what the submission delivered.
         engine: Traces the shadow rays.
         seconds: Wall time that they may take, all scenes together.
     """
-    share = seconds / max(len(shown), 1)
+    share = seconds / max(len(exhibits), 1)
     allowed = Allowance(min(SHADOW_SECONDS, share), share)
-    return tuple(_picture(scene, seen.get(scene.name), engine, allowed) for scene in shown)
+    return tuple(_picture(one, engine, allowed) for one in exhibits)
 
 
-def _picture(
-    scene: Scene, case: ImageCase | None, engine: Engine, allowed: Allowance
-) -> Picture:
-    reference = reference_picture(scene)
+def _picture(one: Exhibit, engine: Engine, allowed: Allowance) -> Picture:
+    scene, reference = one.place.scene, reference_picture(one.place)
+    case = one.seen
     drawn = None if case is None else _drawing(scene, case, reference, engine, allowed)
     return Picture(scene.name, scene.title, reference, drawn)
-
-
-def reference_picture(scene: Scene) -> Bytes:
-    """Return (H, W, 3) uint8, sRGB, what Mitsuba rendered."""
-
-    def encoded() -> Bytes:
-        stored = load_reference(scene, load_mesh(scene.mesh))
-        return displayed(stored.shaded, stored.face != NO_FACE)
-
-    key = digest_of("displayed", scenes_sha256(), scene.name)
-    return _as_rows(remember(key, encoded), scene)
 
 
 def _drawing(

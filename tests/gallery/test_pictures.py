@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from grader.gallery.pictures import flip, reference_picture
+from grader.gallery.hung import Hung, reference_picture
+from grader.gallery.pictures import flip
 from grader.model.mesh import Bytes
 from grader.oracle.scenes import scene_named
 
@@ -11,7 +12,7 @@ from grader.oracle.scenes import scene_named
 @pytest.fixture(scope="module")
 def reference() -> Bytes:
     """Mitsuba's picture of the nested spheres."""
-    return reference_picture(scene_named("nested"))
+    return reference_picture(Hung(scene_named("nested"), None))
 
 
 def test_a_reference_is_as_large_as_its_scene_says(reference: Bytes) -> None:
