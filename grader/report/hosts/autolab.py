@@ -6,18 +6,22 @@ problem, which must be defined on the site: here, the titles of the rubric's par
 before it is the formatted feedback. Whatever goes wrong with the last line, an empty list of
 scores included, gives 0 points for every problem that has none yet.
 
-So a score that is withheld is null, under its problem's name: the line is read, and the
-problem stays without a score until somebody gives it one.
+So a score that is withheld is null, under the name of each problem: the line is read, and no
+problem has a score until somebody gives it one. A part alone would look like a grade. The page
+of the formatted feedback adds the scores up and fails at a null (parseScore in
+app/controllers/assessments_controller.rb), so there is a plain sentence in its place then.
 """
 
 from grader.language import Words
 from grader.report.as_json import Json
-from grader.report.escape import for_autolab
-from grader.report.hosts.told import Entry, entries, headline, unbuilt, worth
+from grader.report.escape import for_autolab, line_for_terminal
+from grader.report.hosts.told import Entry, entries, headline, unbuilt, withheld, worth
 
 
 def to_text(result: Json, words: Words = str) -> str:
     """Write both lines."""
+    if result["score"] is None:
+        return f"{line_for_terminal(withheld(words))}\n{for_autolab(scores(result))}\n"
     return f"{for_autolab(feedback(result, words))}\n{for_autolab(scores(result))}\n"
 
 
@@ -25,8 +29,7 @@ def scores(result: Json) -> Json:
     """Give each problem its points; its name is not translated, since the site knows it."""
     parts = result["parts"]
     titles = [part["title"] for part in parts]
-    # Somebody may have to look at all of it, though no single part is doubtful.
-    unknown = result["score"] is None and all(part["score"] is not None for part in parts)
+    unknown = result["score"] is None
     return {
         "scores": {
             part["title"] if titles.count(part["title"]) == 1 else part["id"]: (

@@ -42,6 +42,10 @@ FILE = "src/exercise03.cpp"
 MOST_ANNOTATIONS = 10
 """Of each kind in a step; GitHub drops the rest without a word."""
 
+LONGEST = 300
+"""Characters of a name and of a message for Classroom, whose reporter is started with all of them
+in one variable of its environment: of 131,071 bytes at most (Linux, MAX_ARG_STRLEN)."""
+
 STATUS = {"pass": "pass", "fail": "fail", "blocked": "fail", "broken": "error"}
 
 
@@ -132,10 +136,10 @@ def classroom(result: Json, words: Words) -> Json:
 def classroom_test(entry: Entry) -> Json:
     """Write one check; the reporter prints its name and message into the log."""
     return {
-        "name": line_for_terminal(f"{entry.id} {entry.title}"),
+        "name": short(f"{entry.id} {entry.title}"),
         "status": STATUS[entry.verdict],
         "score": entry.score,
-        "message": line_for_terminal(entry.text or headline_of(entry)),
+        "message": short(entry.text or headline_of(entry)),
         "test_code": f"bvhgrade check --only {entry.id}",
         "filename": FILE,
         "line_no": entry.line,
@@ -146,3 +150,9 @@ def classroom_test(entry: Entry) -> Json:
 def headline_of(entry: Entry) -> str:
     """Word a check that has nothing to say; without it the reporter says it did not run."""
     return f"{entry.title} ({worth(entry)})"
+
+
+def short(text: str) -> str:
+    """Cut a text for the reporter, which gets all of them in one environment variable."""
+    line = line_for_terminal(text)
+    return line if len(line) <= LONGEST else line[: LONGEST - 4] + " ..."

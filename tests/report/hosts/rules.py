@@ -122,9 +122,21 @@ def autolab(stdout: str, problems: list[str]) -> Autolab:
             raise ValueError(f"{unknown} not defined by assessment")
     except (ValueError, KeyError) as fault:
         return Autolab(dict.fromkeys(problems, 0.0), str(fault))
-    told = json.loads(lines[-2])
-    assert told["_presentation"] == "semantic"
+    told = semantic(lines[-2])
+    if told is None:
+        return Autolab(scores)
+    # The page of the formatted feedback adds the scores up, and fails at a null.
+    sum(value + 0 for value in scores.values())
     return Autolab(scores, stages={stage: told[stage] for stage in told["stages"]})
+
+
+def semantic(line: str) -> Json | None:
+    """Read the formatted feedback; None if the line is something else."""
+    try:
+        told: Any = json.loads(line)
+    except ValueError:
+        return None
+    return told if isinstance(told, dict) and told.get("_presentation") == "semantic" else None
 
 
 @dataclass

@@ -152,3 +152,15 @@ def test_a_summary_fits_into_what_github_takes(flood: str) -> None:
     written = github_summary.to_text(result)
     assert len(written.encode()) <= 1_048_576
     assert all(f"number&#45;{n}</code>" in written for n in range(60))
+
+
+def test_what_classroom_s_reporter_is_started_with_fits_into_its_environment() -> None:
+    """However long the texts are that a submission has a hand in."""
+    result = real.real("first-hit-wins")
+    for check in result["checks"]:
+        check["verdict"], check["message"] = "fail", "\U0001f4a5 |@" * 5_000
+    line = github.output(result)
+    assert len(line) < 131_000
+    room = rules.classroom(line)
+    assert room.failed
+    assert room.sent == (result["score"], result["max_score"])
