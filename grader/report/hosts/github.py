@@ -43,7 +43,7 @@ MOST_ANNOTATIONS = 10
 """Of each kind in a step; GitHub drops the rest without a word."""
 
 LONGEST = 300
-"""Characters of a name and of a message for Classroom, whose reporter is started with all of them
+"""Characters of a name and of a message for Classroom. Its reporter is started with all of them
 in one variable of its environment: of 131,071 bytes at most (Linux, MAX_ARG_STRLEN)."""
 
 STATUS = {"pass": "pass", "fail": "fail", "blocked": "fail", "broken": "error"}

@@ -116,11 +116,10 @@ def code(text: str) -> "Markup":
     pieces = printable(text).split("`")
     if len(pieces) % 2 == 0:
         return Markup("{}").format(printable(text))
-    written = (
-        Markup("<code>{}</code>" if place % 2 else "{}").format(piece)
-        for place, piece in enumerate(pieces)
+    plain, quoted = Markup("{}"), Markup("<code>{}</code>")
+    return Markup("").join(
+        (quoted if place % 2 else plain).format(piece) for place, piece in enumerate(pieces)
     )
-    return Markup("").join(written)
 
 
 def _visible(value: object) -> object:

@@ -9,6 +9,7 @@ from grader.gallery.coarse import coarsened
 from grader.gallery.pictures import reference_picture
 from grader.model.mesh import Bvh, Doubles, Mesh
 from grader.model.views import Drawing, Model, Picture, ShownRay, Step, Views
+from grader.oracle.balanced import balanced_tree
 from grader.oracle.scenes import load_mesh, scene_named
 from grader.report.views import to_json
 from tests.verify.builder import build, soup
@@ -128,8 +129,12 @@ def dragon() -> Model:
     """Show the dragon, coarsened, with the first levels of a tree."""
     whole = load_mesh("dragon")
     mesh, _ = coarsened(whole, MOST_FACES)
-    tree = build(mesh)
-    low, high = tree.low[:MOST_BOXES], tree.high[:MOST_BOXES]
+    tree = balanced_tree(mesh)
+    low, high = np.zeros((2, MOST_BOXES, 3), np.float32)
+    for node in range(MOST_BOXES):
+        faces = tree.order[int(tree.begin[node]) : int(tree.end[node])]
+        corners = mesh.vertices[mesh.faces[faces]].reshape(-1, 3)
+        low[node], high[node] = corners.min(axis=0), corners.max(axis=0)
     nothing = np.zeros(0, np.int64)
     title = scene_named("dragon").title
     return Model("", title, mesh, len(whole.faces), low, high, -1, (), nothing, None)

@@ -1,0 +1,249 @@
+"""The page of a submission says what its result says, and runs nothing of a stranger's."""
+
+import base64
+import hashlib
+import json
+import re
+from dataclasses import replace
+from html import unescape
+from html.parser import HTMLParser
+from typing import Any
+
+import pytest
+
+from grader.errors import OutputFault
+from grader.report.as_json import to_json
+from grader.report.html.findings import cause, failures, idle_parts, worst_first
+from grader.report.html.page import joined
+from grader.report.html.submission import to_html
+from tests.report import samples
+from tests.report.hostile import HOSTILE
+
+BIGGEST_MODULE = 10_000
+BIGGEST_PAGE = 600_000
+BIGGEST_FRAME = 70_000
+"""Bytes of a page without images and models."""
+
+
+class Reader(HTMLParser):
+    """Reads tags and visible text."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.tags: list[tuple[str, list[str]]] = []
+        self.text = ""
+        self.feed(text)
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        """Note a tag and the names of its attributes."""
+        self.tags.append((tag, [name for name, _ in attrs]))
+
+    def handle_data(self, data: str) -> None:
+        """Note text."""
+        self.text += data
+
+
+def page_of(name: str, language: str = "en") -> str:
+    """Write the page of a sample, without views."""
+    return to_html(to_json(samples.EVERY[name]()), None, language)
+
+
+def test_the_score_and_the_parts_are_told() -> None:
+    """As in the result."""
+    told = Reader(page_of("failing")).text
+    assert "10.5 of 50 points" in " ".join(told.split())
+    assert "a) BVH construction" in told
+    assert "3 of 9 checks failed. 1 of 9 checks could not be decided." in told
+
+
+def test_a_withheld_score_is_no_number() -> None:
+    """Our own fault is told as ours."""
+    told = Reader(page_of("broken")).text
+    assert "score withheld" in told
+    assert "nothing is concluded about the submission" in told
+    assert "Embree and the rule of closest hits disagree on ray 3" in told
+
+
+def test_full_marks_leave_nothing_to_fix() -> None:
+    """No empty section."""
+    text = page_of("perfect")
+    assert "All 9 checks pass." in text
+    assert "What to fix" not in text
+
+
+def test_every_check_has_a_line_with_sign_and_word() -> None:
+    """And a blocked one names what it waits for."""
+    told = Reader(page_of("failing")).text
+    for check, *_ in samples.CHECKS:
+        assert check in told
+    for line in ("✓ pass", "✗ fail", "\N{EN DASH} blocked", "waits for bvh.boxes-are-tight"):
+        assert line in told
+
+
+def test_the_most_expensive_failure_comes_first() -> None:
+    """With what waits for it, over several steps."""
+    result = to_json(samples.failing())
+    assert [one["id"] for one in worst_first(result)] == [
+        "hits.closest-wins",
+        "bvh.boxes-are-tight",
+        "hits.survives-every-ray",
+    ]
+    last = next(one for one in result["checks"] if one["id"] == "hits.closest-wins")
+    first = next(one for one in result["checks"] if one["id"] == "work.uses-the-tree")
+    last |= {"verdict": "blocked", "score": 0, "blocked_by": "work.uses-the-tree"}
+    first |= {"verdict": "blocked", "score": 0, "blocked_by": "hits.survives-every-ray"}
+    assert worst_first(result)[0]["id"] == "hits.survives-every-ray"
+
+
+def test_a_failure_tells_everything_that_is_known() -> None:
+    """What happened, both values, the smallest example, the cause, the place, how to repeat."""
+    result = to_json(samples.failing())
+    models = [{"check": "other.check"}, {"check": "bvh.boxes-are-tight"}]
+    (one,) = [each for each in failures(result, models, str) if "boxes" in each.check]
+    facts = {label: text for label, text, _ in one.facts}
+    assert one.happened == "node 1 of 3 triangles: one of them reaches out"
+    assert facts["expected"] == "node 1 box.max = (1.25, 1, 0)"
+    assert facts["got"] == "node 1 box.max = (0.75, 1, 0)"
+    assert facts["smallest"] == "5 faces"
+    assert facts["look at"] == "src/exercise03.cpp:7 in boxOf"
+    assert one.cause.endswith("This explains 60 of 61 places.")
+    assert one.waiting == ("bvh.children-partition-their-parent",)
+    assert one.model == 1
+    again, replay = (command for _, command in one.commands)
+    assert again == "bvhgrade check src/exercise03.cpp --seed 41 --only bvh.boxes-are-tight"
+    assert replay.endswith("--replay counterexamples/bvh.boxes-are-tight.json")
+    assert len(one.hints) == 2
+
+
+def test_how_many_are_wrong_stands_apart_from_the_first() -> None:
+    """A count, and then the first wrong place."""
+    result = to_json(samples.failing())
+    (one,) = [each for each in failures(result, [], str) if each.check == "hits.closest-wins"]
+    assert one.happened == "61 of 4,000 wrong, first in `nested`"
+    assert one.where == "ray 17: a closer hit was missed"
+
+
+def test_a_hidden_check_names_no_command() -> None:
+    """Nobody can repeat it."""
+    result = to_json(samples.failing())
+    for check in result["checks"]:
+        check["visibility"] = "hidden"
+    assert all(not one.commands for one in failures(result, [], str))
+
+
+def test_parts_that_were_not_started_are_told_once() -> None:
+    """Also if their checks wait for one another, and not if they wait for the compiler."""
+    result = to_json(samples.starter())
+    assert idle_parts(result) == ["a", "b"]
+    chained = next(one for one in result["checks"] if one["id"] == "hits.closest-wins")
+    chained["blocked_by"] = "work.uses-the-tree"
+    assert idle_parts(result) == ["a", "b"]
+    assert Reader(page_of("starter")).text.count("Part a is not started") == 1
+    assert idle_parts(to_json(samples.uncompiled())) == []
+
+
+def test_the_compiler_is_quoted() -> None:
+    """With the student's line numbers."""
+    told = Reader(page_of("uncompiled")).text
+    assert "src/exercise03.cpp:7:16: error: 'class Mesh' has no member" in told
+    assert "The file does not compile" in told
+    assert "two exercise03.cpp" in Reader(page_of("rejected")).text
+
+
+def test_a_run_without_isolation_has_a_banner() -> None:
+    """Nobody overlooks it."""
+    grade = samples.perfect()
+    exposed = replace(grade, provenance=replace(grade.provenance, isolation="none"))
+    assert "NOT ISOLATED" in to_html(to_json(exposed), None, "en")
+    assert "NOT ISOLATED" not in page_of("perfect")
+
+
+def test_both_sentences_of_a_cause_are_translated() -> None:
+    """They stand in one field of the result."""
+    words = {"A.": "B.", "This explains {fits} of {places} places.": "{fits} aus {places}"}
+    told = cause("A. This explains 1,000 of 2,000 places.", lambda text: words.get(text, text))
+    assert told == "B. 1,000 aus 2,000"
+    assert cause("", str) == ""
+
+
+def test_the_page_speaks_german() -> None:
+    """Every text of ours."""
+    told = Reader(page_of("failing", "de")).text
+    assert "Was zu verbessern ist" in told
+    assert "What to fix" not in told
+    assert "bestanden" in told
+
+
+@pytest.mark.parametrize("name", HOSTILE)
+def test_hostile_texts_bring_no_tag_and_no_script(name: str, views: dict[str, Any]) -> None:
+    """Names, messages, compiler output and titles: the same tags as with harmless ones."""
+    harmless = Reader(spoilt("harmless", views))
+    other = Reader(spoilt(HOSTILE[name], views))
+    kinds = [tag for tag in other.tags if tag[0] not in {"code", "p"}]
+    assert kinds == [tag for tag in harmless.tags if tag[0] not in {"code", "p"}]
+
+
+def spoilt(text: str, views: dict[str, Any]) -> str:
+    """Write a page with a text wherever a stranger could put one."""
+    result = to_json(samples.failing())
+    result["submission"] |= {"name": text, "path": "x" + text}
+    for check in result["checks"]:
+        if check["verdict"] == "fail":
+            names = ("message", "expected", "got", "hint")
+            check |= {name: f"{name} {text}" for name in names}
+    result["build"]["diagnostics"] = [
+        {"line": 1, "column": 2, "severity": "warning", "text": text}
+    ]
+    seen = json.loads(json.dumps(views))
+    seen["pictures"][0]["title"] = seen["models"][0]["title"] = text
+    seen["models"][1]["ray"]["sentence"] = text
+    return to_html(result, seen, "en")
+
+
+def test_the_policy_names_our_style_and_our_script(report: str) -> None:
+    """By their hashes, and allows nothing else."""
+    (policy,) = re.findall(r'Content-Security-Policy" content="([^"]*)"', report)
+    parts = dict(part.strip().split(" ", 1) for part in unescape(policy).split(";"))
+    assert parts["default-src"] == "'none'"
+    assert parts["img-src"] == "data: blob:"
+    for name, tag in (("style-src", "style"), ("script-src", "script")):
+        (text,) = re.findall(rf"<{tag}>(.*?)</{tag}>", report, re.DOTALL)
+        digest = base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()
+        assert parts[name] == f"'sha256-{digest}'"
+    assert " style=" not in report
+    assert " onload=" not in report
+
+
+@pytest.mark.parametrize("bad", ['"><img src=x onerror=alert(1)>', "AAAA\n", "a b", "=AAA"])
+def test_data_that_is_not_packed_is_refused(views: dict[str, Any], bad: str) -> None:
+    """It stands in the page unescaped."""
+    seen = json.loads(json.dumps(views))
+    seen["pictures"][0]["images"]["cost"] = bad
+    with pytest.raises(OutputFault, match="not base64"):
+        to_html(to_json(samples.failing()), seen, "en")
+    seen = json.loads(json.dumps(views))
+    seen["models"][0]["mesh"]["data"] = bad
+    with pytest.raises(OutputFault, match="not base64"):
+        to_html(to_json(samples.failing()), seen, "en")
+
+
+def test_too_large_views_are_refused(views: dict[str, Any]) -> None:
+    """With both numbers."""
+    seen = json.loads(json.dumps(views))
+    seen["models"][0]["mesh"]["data"] = "A" * 900_000
+    with pytest.raises(OutputFault, match="a page takes 900,000"):
+        to_html(to_json(samples.failing()), seen, "en")
+
+
+def test_the_page_of_the_dragon_is_small(report: str) -> None:
+    """With 871,414 faces behind it; ours is a tenth of that."""
+    assert len(report.encode()) <= BIGGEST_PAGE
+    assert "871,414 faces" in report
+    assert len(page_of("failing").encode()) <= BIGGEST_FRAME
+
+
+def test_the_module_for_three_dimensions_is_small(report: str) -> None:
+    """As it stands in the page."""
+    module = joined(["space.js"])
+    assert module in report
+    assert len(module.encode()) <= BIGGEST_MODULE
