@@ -52,7 +52,14 @@
     const deep = one.node !== null && one.node >= opened.model.boxes.count ? ` (${words.deep})` : "";
     return `${what}: ${one.hit ? words.hit : words.missed}${deep}`;
   };
-  const lostAt = ({ ray }) => (ray && ray.lost !== null ? ray.steps.findLastIndex((one) => one.node === ray.lost) : -1);
+  // If the walk never came to a node, its parent was the last on the way, or the parent of that.
+  const lostAt = ({ ray }) => {
+    for (let node = ray ? ray.lost : null; node !== null && node >= 0; node = Math.ceil(node / 2) - 1) {
+      const place = ray.steps.findLastIndex((one) => one.node === node);
+      if (place >= 0) return place;
+    }
+    return -1;
+  };
   const firstStep = (model) => lostAt(model) + 1;
   const listSteps = () => {
     const { ray } = opened.model, lost = lostAt(opened.model);
@@ -77,6 +84,7 @@
     const state = { level: Number(level.value), only: only.checked, step: Number(step.value) };
     byId("level-told").value = state.level < 0 ? "\u2013" : state.level;
     byId("step-told").value = filled(words.step, { step: state.step, steps: step.max });
+    if (!state.step) list.scrollTop = 0;
     [...list.children].forEach((item, place) => {
       const now = place === state.step - 1;
       if (now) { item.setAttribute("aria-current", "step"); list.scrollTop = item.offsetTop - list.offsetTop - list.clientHeight / 2; }
@@ -139,5 +147,6 @@
     }
     canvas.getContext("webgl2").getExtension("WEBGL_lose_context")?.loseContext();
   };
-  choose(0).then(snapshots);
+  // First the page, then what takes longer.
+  requestAnimationFrame(() => setTimeout(() => choose(0).then(snapshots)));
 })();

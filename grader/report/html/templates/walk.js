@@ -26,10 +26,12 @@ const openModel = async (model) => {
   };
   // A coarsened mesh has other faces than the one that the steps name.
   const whole = faces === model.faces;
-  return { model, mesh, box, boxLines, moved, scale, whole, place: (face) => (whole && face !== null && face < faces ? place(face) : null), low: moved(low), size: low.map((x, k) => (high[k] - x) * scale) };
+  const outline = (face) => { const at = place(face); return at.flatMap((p, k) => [...p, ...at[(k + 1) % 3]]); };
+  const tested = (face) => (whole && face !== null && face < faces ? outline(face) : null);
+  return { model, mesh, box, boxLines, moved, scale, outline, tested, low: moved(low), size: low.map((x, k) => (high[k] - x) * scale) };
 };
 
-const COLOURS = { plain: [.80, .77, .70], marked: [1, .70, 0], node: [1, .35, .31], expected: [.22, .84, .48], ray: [.13, .72, .91], visited: [.54, .64, 1], now: [1, .55, .1] };
+const COLOURS = { plain: [.80, .77, .70], marked: [1, .70, 0], node: [1, .35, .31], expected: [.22, .84, .48], ray: [.13, .72, .91], visited: [.54, .64, 1], now: [.97, .42, .9] };
 
 const stepBox = (opened, step) => (step.node === null ? null : opened.box(step.node));
 
@@ -52,10 +54,26 @@ const stepLines = (opened, step) => {
   const { steps } = opened.model.ray, lines = [];
   const before = steps.slice(0, step).map((one) => stepBox(opened, one)).filter(Boolean);
   if (before.length) lines.push({ at: before.flatMap(edgesOf), colour: [...COLOURS.visited, .8], wide: 1.4 });
-  const now = step > 0 && steps[step - 1], corners = now && opened.place(now.face);
+  const now = step > 0 && steps[step - 1], face = now && opened.tested(now.face);
   if (now && stepBox(opened, now)) lines.push({ at: edgesOf(stepBox(opened, now)), colour: COLOURS.now, wide: 3.5 });
-  if (corners) lines.push({ at: corners.flatMap((p, k) => [...p, ...corners[(k + 1) % 3]]), colour: COLOURS.now, wide: 5 });
+  if (face) lines.push({ at: face, colour: COLOURS.now, wide: 5 });
   return lines;
+};
+
+// Few faces get an outline, so that one sees those that lie edge-on or behind others.
+const markedLines = ({ model, outline }) => {
+  const faces = [];
+  for (let k = 0; k < model.marked.length && faces.length < 64; k += 2) {
+    for (let n = 0; n < Math.min(64, model.marked[k + 1]); n++) faces.push(model.marked[k] + n);
+  }
+  return faces.length ? [{ at: faces.flatMap(outline), colour: COLOURS.marked, wide: 2 }] : [];
+};
+
+// The node with a wrong box, or the one that the ray should have come to.
+const wrongBox = (opened) => {
+  const { node, ray } = opened.model;
+  const missing = ray && ray.lost !== null && !ray.steps.some((one) => one.node === ray.lost);
+  return node !== null ? opened.box(node) : missing ? opened.box(ray.lost) : null;
 };
 
 const display = (opened, { level, only, step }) => {
@@ -64,7 +82,8 @@ const display = (opened, { level, only, step }) => {
   const faces = [{ colour: COLOURS.plain, runs: [0, model.mesh.faces] }];
   if (model.marked.length) faces.push({ colour: COLOURS.marked, runs: model.marked });
   if (model.ray) lines.push(...stepLines(opened, step));
-  const wrong = model.node === null ? null : opened.box(model.node);
+  lines.push(...markedLines(opened));
+  const wrong = wrongBox(opened);
   if (wrong) lines.push({ at: edgesOf(wrong), colour: COLOURS.node, wide: 3.5 });
   if (model.expected_box) lines.push({ at: edgesOf(opened.moved(model.expected_box)), colour: COLOURS.expected, wide: 3.5, dash: 16 });
   if (model.ray) lines.push(...rayLines(opened));
@@ -74,7 +93,7 @@ const display = (opened, { level, only, step }) => {
 // What there is to explain in this view, by the names of the legend.
 const shownKeys = (opened, { level, step }) => {
   const { model } = opened, { ray } = model;
-  return new Set([model.marked.length && "marked", model.node !== null && "node", model.expected_box && "expected", level >= 0 && "boxes",
+  return new Set([model.marked.length && "marked", wrongBox(opened) && "node", model.expected_box && "expected", level >= 0 && "boxes",
     ray && "ray", ray && ray.expected_t !== null && "hit", ray && ray.got_t !== null && "got", ray && step > 1 && "visited", ray && step > 0 && "now"]);
 };
 
@@ -87,5 +106,9 @@ const viewpoint = (opened) => {
   const to = [3, 4, 5].map((k) => Math.max(...all.map((box) => box[k])));
   const wide = Math.hypot(...from.map((x, k) => to[k] - x));
   const view = { at: from.map((x, k) => (x + to[k]) / 2), far: Math.max(.4, Math.min(6, wide * 1.25)) };
-  return model.ray ? { ...view, yaw: Math.atan2(model.ray.direction[0], model.ray.direction[2]) + 1.25, pitch: .3 } : view;
+  if (!model.ray) return view;
+  const [x, y, z] = model.ray.direction, small = model.mesh.faces < 200;
+  // Over a whole scene one looks nearly as its camera does.
+  const yaw = small ? Math.atan2(x, z) + 1.25 : Math.atan2(-x, -z) + .5;
+  return { ...view, yaw, pitch: small ? .3 : Math.max(-1.2, Math.min(1.2, Math.atan2(-y, Math.hypot(x, z)))) };
 };
