@@ -55,7 +55,8 @@ def test_rendering_again_gives_the_stored_picture(scene: Scene, fast: bool) -> N
     flags = np.isfinite(again.t) != np.isfinite(stored.t)
     far = np.abs(again.t[both] - stored.t[both]) > PICTURE_RELATIVE * stored.t[both]
     assert np.count_nonzero(flags) + np.count_nonzero(far) <= PICTURE_PIXELS
-    assert (again.face[both] == stored.face[both]).mean() > 0.999
+    # Two faces of one edge have one t.
+    assert (again.face[both] == stored.face[both]).mean() > 0.998
 
 
 def test_points_lie_on_their_rays() -> None:
