@@ -20,7 +20,7 @@ SURVIVAL = {"a": "bvh.survives-every-mesh", "b": "hits.survives-every-ray"}
 """The check of each part that says whose workers died."""
 
 _MAX_EXAMPLES = 3
-_NAMED_CASES = 4
+_NAMED_CASES = 8
 
 
 @dataclass(frozen=True, slots=True)
