@@ -1,3 +1,4 @@
+// right: a main function for trying things out is still in the file; the loop counts levels by powers of two
 #include "bvh.h"
 #include "intersection.h"
 #include "mesh.h"
