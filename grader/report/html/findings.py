@@ -89,7 +89,7 @@ def points(score: float | None, possible: float, words: Words) -> str:
 
 
 def idle_parts(result: Json) -> list[str]:
-    """Name the parts that were not started: all wait, and for nothing outside."""
+    """Name the parts that were not started: all their checks wait for nothing."""
     checks = {one["id"]: one for one in result["checks"]}
     return [part["id"] for part in result["parts"] if _is_idle(part["id"], checks)]
 
@@ -97,9 +97,8 @@ def idle_parts(result: Json) -> list[str]:
 def _is_idle(part: str, checks: Mapping[str, Json]) -> bool:
     blocker = {name: one["blocked_by"] for name, one in checks.items()}
     own = [name for name, one in checks.items() if one["part"] == part]
-    roots = [checks[_root(name, blocker)] for name in own]
     return bool(own) and all(
-        one["verdict"] == "blocked" and one["part"] == part for one in roots
+        checks[_root(name, blocker)]["verdict"] == "blocked" for name in own
     )
 
 

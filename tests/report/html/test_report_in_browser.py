@@ -246,7 +246,7 @@ def test_without_webgl_a_sentence_stands_there(
     """And the steps of the ray can still be read."""
     blind = playwright.chromium.launch(executable_path=chromium(), args=["--disable-3d-apis"])
     page = ready(visit(report, within=blind))
-    expect(page.locator("#flat")).to_contain_text("This browser has no WebGL 2")
+    expect(page.get_by_text("This browser has no WebGL 2")).to_be_visible()
     expect(page.locator("#stage")).to_be_hidden()
     page.locator("#model").select_option("1")
     expect(page.locator("#steps li").first).to_have_text("box of node 0: hit")
