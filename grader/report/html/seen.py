@@ -62,6 +62,7 @@ def _drawn(one: Json, words: Words) -> dict[str, object]:
         "wrong": one["wrong"],
         "ring": _ring(one),
         "without_shadows": one["without_shadows"],
+        "error": words("Mean error: {error}.").format(error=f"{one['flip']:.4f}"),
         "scale": one["cost_scale"],
         "cost": cost.format(boxes=f"{boxes:.1f}", triangles=f"{triangles:.1f}"),
     }

@@ -56,6 +56,7 @@ def test_nobody_is_shut_out(visit: Visit, report: str, scheme: str) -> None:
     assert found.violations_count == 0, found.generate_report()
 
 
+@pytest.mark.usefixtures("cache")
 @pytest.mark.parametrize("name", ["broken", "starter", "uncompiled", "rejected", "perfect"])
 def test_every_ending_is_a_page(visit: Visit, name: str) -> None:
     """Whatever there is to tell, axe and the browser have nothing against it."""
