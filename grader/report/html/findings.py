@@ -3,7 +3,7 @@
 import re
 import shlex
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from grader.language import Words
@@ -52,6 +52,19 @@ class Failure:
 def failures(result: Json, models: Sequence[Json], words: Words) -> list[Failure]:
     """Explain every failed check, the one first that costs most."""
     return [_failure(one, result, models, words) for one in worst_first(result)]
+
+
+def spoken(one: Failure, told: Words) -> Failure:
+    """Tell in a language what the check found."""
+    return replace(
+        one,
+        happened=told(one.happened),
+        where=told(one.where),
+        facts=tuple(
+            (label, "\n".join(map(told, text.split("\n"))), kind)
+            for label, text, kind in one.facts
+        ),
+    )
 
 
 def worst_first(result: Json) -> list[Json]:

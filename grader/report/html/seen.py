@@ -98,13 +98,13 @@ def legends() -> dict[str, list[tuple[int, str]]]:
     }
 
 
-def models(views: Json, words: Words) -> list[dict[str, object]]:
+def models(views: Json, words: Words, told: Words = str) -> list[dict[str, object]]:
     """Copy models for the script, with a name for each.
 
     Raises:
         OutputFault: They are too much for a page.
     """
-    made = [_model(one, words) for one in views["models"]]
+    made = [_model(one, words, told) for one in views["models"]]
     total = sum(len(text) for one in views["models"] for text in _data(one))
     total += sum(len(text) for one in views["pictures"] for text in one["images"].values())
     if total > LARGEST:
@@ -116,13 +116,13 @@ def _data(model: Json) -> Sequence[str]:
     return packed(model["mesh"]["data"]), packed(model["boxes"]["data"])
 
 
-def _model(one: Json, words: Words) -> dict[str, object]:
+def _model(one: Json, words: Words, told: Words) -> dict[str, object]:
     ray = one["ray"]
     return {
         **{key: one[key] for key in ("faces", "node", "expected_box", "marked")},
         **{key: dict(one[key]) for key in ("mesh", "boxes")},
         "name": _name(one, words),
-        "ray": None if ray is None else {**ray, "sentence": one_line(ray["sentence"])},
+        "ray": None if ray is None else {**ray, "sentence": told(one_line(ray["sentence"]))},
     }
 
 

@@ -4,8 +4,9 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from grader.language import Words, translator
+from grader.phrases import teller
 from grader.report.facts import FILE, FUNCTIONS, NOT_STARTED
-from grader.report.html.findings import failures, idle_parts, points
+from grader.report.html.findings import failures, idle_parts, points, spoken
 from grader.report.html.page import page
 from grader.report.html.seen import legends, models, pictures
 
@@ -30,10 +31,12 @@ def to_html(result: Json, views: Json | None, language: str) -> str:
         OutputFault: The views are too large, or packed otherwise than they should be.
     """
     words, seen = translator(language), views or NOTHING
-    shown = models(seen, words)
+    shown = models(seen, words, teller(language))
     values = {
         **head(result, words),
-        "failures": failures(result, seen["models"], words),
+        "failures": [
+            spoken(one, teller(language)) for one in failures(result, seen["models"], words)
+        ],
         "idle": [not_started(part, words) for part in idle_parts(result)],
         "broken": [one for one in result["checks"] if one["verdict"] == "broken"],
         "groups": groups(result, words),

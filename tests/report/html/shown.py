@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from grader.gallery.coarse import coarsened
-from grader.gallery.pictures import reference_picture
+from grader.gallery.hung import Hung, reference_picture
 from grader.model.mesh import Bvh, Doubles, Mesh
 from grader.model.views import Drawing, Model, Picture, ShownRay, Step, Views
 from grader.oracle.balanced import balanced_tree
@@ -31,14 +31,14 @@ def failing_views() -> dict[str, Any]:
 def undrawn_views() -> dict[str, Any]:
     """Views of a submission that brought nothing."""
     scene = scene_named("nested")
-    picture = Picture(scene.name, scene.title, reference_picture(scene), None)
+    picture = Picture(scene.name, scene.title, reference_picture(Hung(scene, None)), None)
     return to_json(Views(pictures=(picture,), models=()))
 
 
 def drawn(name: str, wrong: int) -> Picture:
     """Draw a scene as Mitsuba does but for a square of so many pixels a side."""
     scene = scene_named(name)
-    reference = reference_picture(scene)
+    reference = reference_picture(Hung(scene, None))
     yours, mask = reference.copy(), np.zeros(reference.shape[:2], np.uint8)
     middle = slice(scene.height // 2, scene.height // 2 + wrong)
     yours[middle, middle], mask[middle, middle] = (250, 60, 60), 1
