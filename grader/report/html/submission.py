@@ -40,7 +40,7 @@ def to_html(result: Json, views: Json | None, language: str) -> str:
         "idle": [not_started(part, words) for part in idle_parts(result)],
         "broken": [one for one in result["checks"] if one["verdict"] == "broken"],
         "groups": groups(result, words),
-        "pictures": pictures(seen, words),
+        "pictures": pictures(seen, not wrong_pictures(result), words),
         "legends": legends(),
         "messages": [message(one) for one in result["build"]["diagnostics"]],
         "facts": facts(result, words),
@@ -48,6 +48,13 @@ def to_html(result: Json, views: Json | None, language: str) -> str:
     }
     data = {"models": shown, "words": script_words(words)}
     return page("report", language, values, {"data": data})
+
+
+def wrong_pictures(result: Json) -> bool:
+    """Say whether a check of pictures failed."""
+    return any(
+        one["verdict"] == "fail" for one in result["checks"] if one["id"].startswith("image.")
+    )
 
 
 def head(result: Json, words: Words) -> dict[str, object]:

@@ -115,6 +115,18 @@ def test_a_failure_tells_everything_that_is_known() -> None:
     assert len(one.hints) == 2
 
 
+def test_pixels_that_the_check_allows_are_no_mistake(views: dict[str, Any]) -> None:
+    """A cross stands at a picture only if the check of pictures failed."""
+    result = to_json(samples.failing())
+    allowed = to_html(result, views, "en")
+    assert "They are few enough to pass." in allowed
+    result["checks"][-1] |= {"id": "image.equals-mitsuba", "verdict": "fail"}
+    failed = to_html(result, views, "en")
+    assert "They are few enough to pass." not in failed
+    assert '<p><span class="verdict f">✗</span> 1,600 of 262,144' in failed
+    assert '<p><span class="verdict p">✓</span> All 65,536' in failed
+
+
 def test_how_many_are_wrong_stands_apart_from_the_first() -> None:
     """A count, and then the first wrong place."""
     result = to_json(samples.failing())
