@@ -6,6 +6,8 @@ from dataclasses import dataclass
 from statistics import fmean, median
 from typing import Any
 
+from grader.report.hints import misconception
+
 Json = Mapping[str, Any]
 
 FEWEST = 2
@@ -57,7 +59,12 @@ def row_of(result: Json, link: str) -> Row:
         link: Where the student's report lies, relative to the page of the class.
     """
     checks = result["checks"]
-    causes = [one["hint"] for one in checks if one["verdict"] == "fail" and one["hint"]]
+    # How many places it explains differs from student to student; what is believed does not.
+    causes = [
+        misconception(one["hint"])[0]
+        for one in checks
+        if one["verdict"] == "fail" and one["hint"]
+    ]
     build = result["build"]
     return Row(
         name=result["submission"]["name"],

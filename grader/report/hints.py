@@ -4,6 +4,7 @@ None of it is the solution: a cause says what is misunderstood, a question where
 what there is to try shows the mistake on paper or in a debugger.
 """
 
+import re
 import tomllib
 from collections.abc import Mapping
 from functools import cache
@@ -23,6 +24,8 @@ def told() -> Mapping[str, Mapping[str, str]]:
     return tomllib.loads(text)
 
 
+_SHARE = re.compile(r"(?s)(.*) This explains ([\d,]+) of ([\d,]+) places\.")
+
 LABELS = ("cause", "hint", "try")
 
 
@@ -36,6 +39,15 @@ def likely_cause(score: CheckScore, words: Words = str) -> str:
     share = words("This explains {fits} of {places} places.")
     share = share.format(fits=f"{cause.fits:,}", places=f"{cause.places:,}")
     return f"{words(cause.sentence)} {share}"
+
+
+def misconception(cause: str) -> tuple[str, str, str]:
+    """Split what `likely_cause` wrote into the misconception, and how many places fit of all.
+
+    Both numbers are empty if it named none.
+    """
+    found = _SHARE.fullmatch(cause)
+    return (found[1], found[2], found[3]) if found else (cause, "", "")
 
 
 def hints(score: CheckScore, step: int, words: Words = str) -> list[tuple[str, str]]:

@@ -67,7 +67,7 @@ def to_class_page(rows: Sequence[Row], footer: str, language: str) -> str:
         "withheld": withheld(rows, words),
         **chart(histogram(rows), words),
         "failed": failed,
-        "misconceptions": misconceptions(rows),
+        "misconceptions": [(words(cause), whose) for cause, whose in misconceptions(rows)],
         "checks": checks,
         "rows": [_row(row, checks, words) for row in rows],
         "footer": footer,

@@ -8,15 +8,12 @@ from typing import Any
 
 from grader.language import Words
 from grader.report.facts import FILE
-from grader.report.hints import told
+from grader.report.hints import misconception, told
 
 Json = Mapping[str, Any]
 
 _COUNTED = re.compile(r"(?s)([\d,]+ of [\d,]+ wrong[^:]*): (.*)")
 """How a check words what it counted, and then its first example."""
-
-_SHARE = re.compile(r"(?s)(.*) This explains ([\d,]+) of ([\d,]+) places\.")
-"""How `likely_cause` ends; both sentences are translated one by one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -181,11 +178,11 @@ def _place(location: Json | None, words: Words) -> str:
 
 def cause(hint: str, words: Words) -> str:
     """Translate a likely cause, and how much speaks for it."""
-    found = _SHARE.fullmatch(hint)
-    if found is None:
+    sentence, fits, places = misconception(hint)
+    if not places:
         return words(hint)
-    share = words("This explains {fits} of {places} places.")
-    return f"{words(found[1])} {share.format(fits=found[2], places=found[3])}"
+    share = words("This explains {fits} of {places} places.").format(fits=fits, places=places)
+    return f"{words(sentence)} {share}"
 
 
 def _hints(check: str, words: Words) -> list[tuple[str, str]]:

@@ -75,6 +75,7 @@ def test_a_row_is_taken_from_a_result() -> None:
     assert [check for check, _ in made.verdicts] == [one["id"] for one in result["checks"]]
     assert ("bvh.boxes-are-tight", "fail") in made.verdicts
     assert made.note == ""
+    assert made.causes == ("A child gets the box of its parent.",)
 
 
 def test_a_withheld_score_stays_unknown() -> None:
