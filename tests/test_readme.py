@@ -22,7 +22,14 @@ DOCUMENTS = [
     ROOT / "student_stub" / "README.md",
     ROOT / "scenes" / "README.md",
 ]
-MADE_BY_A_COMMAND = ("build/", "cube.png", "bvhgrade-out", ".venv", "result.json")
+MADE_BY_A_COMMAND = (
+    "build/",
+    "cube.png",
+    "bvhgrade-out",
+    "own-scenes",
+    ".venv",
+    "result.json",
+)
 
 
 def commands(document: Path) -> list[str]:
