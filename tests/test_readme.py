@@ -89,7 +89,9 @@ def assert_understood(arguments: list[str]) -> None:
     options = [word for word in arguments if word.startswith("-")]
     assert all(option in result.output for option in options), result.output
     criteria = {one.check for one in load_rubric().criteria}
-    assert all(word in criteria for word in arguments if re.fullmatch(r"[a-z]+\.[a-z-]+", word))
+    topics = {name.partition(".")[0] for name in criteria}
+    named = {word for word in arguments if word.partition(".")[0] in topics and "." in word}
+    assert named <= criteria
 
 
 def assert_present(folder: Path, arguments: list[str]) -> None:
@@ -163,7 +165,8 @@ def test_the_first_command_grades(tmp_path: Path) -> None:
     told = json.loads((tmp_path / "out" / "result.json").read_text())
     assert (told["score"], told["max_score"]) == (50, 50)
     (pictures,) = (one for one in told["checks"] if one["id"] == "image.equals-mitsuba")
-    assert (pictures["message"], pictures["examined"] > 512 * 512) == ("in 8 cases", True)
+    assert "dragon" in pictures["message"].split(": ")[1].split(", ")
+    assert pictures["examined"] > 512 * 512
 
 
 def test_the_starter_has_not_been_started(tmp_path: Path) -> None:
