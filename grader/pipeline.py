@@ -53,8 +53,41 @@ def grade_with(path: Path, options: Options, seeds: Sequence[int]) -> list[Grade
         GraderError: Our own fault; nothing is concluded about the submission.
     """
     selection = select(options.rubric, options.only, options.for_student)
+    submission = locate(path, selection.rubric.limits.source_kib << 10)
+    return _grades(submission, selection, options, seeds)
+
+
+def grade_located(submission: Submission | Rejected, options: Options) -> Grade:
+    """Grade a submission that was read already.
+
+    Raises:
+        UsageError: The rubric or the name of a check is wrong.
+        GraderError: Our own fault; nothing is concluded about the submission.
+    """
+    selection = select(options.rubric, options.only, options.for_student)
+    return _grades(submission, selection, options, (options.seed,))[0]
+
+
+def withheld_grade(submission: Submission | Rejected, options: Options, reason: str) -> Grade:
+    """Make the grade of a submission that we failed to judge: every check is BROKEN.
+
+    Raises:
+        UsageError: The rubric or the name of a check is wrong.
+    """
+    selection = select(options.rubric, options.only, options.for_student)
+    summary = _summary(selection, options)
+    summary.failed_to_judge(reason)
+    return summary.grade(submission, None, ())
+
+
+def _grades(
+    submission: Submission | Rejected,
+    selection: Selection,
+    options: Options,
+    seeds: Sequence[int],
+) -> list[Grade]:
+    """Grade with several seeds, and compile once."""
     limits = selection.rubric.limits
-    submission = locate(path, limits.source_kib << 10)
     every = [replace(options, seed=seed) for seed in seeds]
     if isinstance(submission, Rejected):
         return [_rejected(submission, selection, each) for each in every]
@@ -71,7 +104,7 @@ def _rejected(submission: Rejected, selection: Selection, options: Options) -> G
 
 
 def _summary(selection: Selection, options: Options) -> Summary:
-    level = _isolation(options).level.value
+    level = isolation_of(options).level.value
     return Summary(selection, options.seed, options.progress, level)
 
 
@@ -94,7 +127,7 @@ def _graded(
     trials = selection.useful([_as_read(trial, selection.rubric) for trial in plan.trials])
     summary.broken(plan.faults)
     with summary.stage("run and verify"):
-        engines = _engines(build, selection.rubric.limits, _isolation(options), nursery)
+        engines = _engines(build, selection.rubric.limits, isolation_of(options), nursery)
         run = Rounds(engines, solution, selection.rubric, options, summary.elapsed())
         first, then = waves(trials)
         summary.examine(run.cases(first))
@@ -123,10 +156,11 @@ def engines_for(
     build = compile_submission(submission, _compilation(folder, limits, options, further))
     if build.library is None:
         return "it does not compile; bvhgrade check says why"
-    return _engines(build, limits, _isolation(options), nursery)
+    return _engines(build, limits, isolation_of(options), nursery)
 
 
-def _isolation(options: Options) -> Isolation:
+def isolation_of(options: Options) -> Isolation:
+    """Prove the level that a submission is run at, or take none if the caller insists."""
     return proved_isolation() if options.isolated else unconfined()
 
 
@@ -138,7 +172,7 @@ def _compilation(
     wall = min(given.wall_seconds, max(SHORTEST_COMPILATION, int(most)))
     # Less CPU time than wall time, so that who computes too long is told from who waits.
     hurried = replace(given, wall_seconds=wall, seconds=min(given.seconds, wall * 2 // 3))
-    return Compilation(folder, _isolation(options), hurried, further)
+    return Compilation(folder, isolation_of(options), hurried, further)
 
 
 def _plan(solution: Solution, seed: int, selection: Selection, summary: Summary) -> Plan:

@@ -106,6 +106,13 @@ class Summary:
                 if each.id.startswith(("hits.", "image."))
             ]
 
+    def failed_to_judge(self, reason: str) -> None:
+        """Conclude nothing at all: we failed before or between the checks."""
+        self._findings = [
+            Finding(each.id, "grader", Verdict.BROKEN, Evidence(0, 0), reason)
+            for each in self._selection.checks
+        ]
+
     def closed(self, gate: str) -> bool:
         """Tell whether a gate has been decided and has passed nowhere."""
         verdicts = {one.verdict for one in self._findings if one.check == gate}

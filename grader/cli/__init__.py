@@ -7,6 +7,7 @@ from io import TextIOWrapper
 import click
 
 from grader import __version__
+from grader.cli.batch import batch
 from grader.cli.certify import certify
 from grader.cli.export import export
 from grader.cli.grading import check, grade
@@ -22,7 +23,7 @@ def cli() -> None:
     """Grade a BVH exercise in C++: one file, two functions, 50 points."""
 
 
-for command in (check, grade, report, export, scenes, doctor, schema, certify):
+for command in (check, grade, batch, report, export, scenes, doctor, schema, certify):
     cli.add_command(command)
 
 

@@ -8,10 +8,10 @@ import click
 from click.exceptions import Exit
 
 from grader.cli.options import language_option
-from grader.cli.output import write_bytes_whole
 from grader.cli.status import FULL_MARKS, LOST_POINTS
 from grader.errors import UsageError
 from grader.language import translator, usual_language
+from grader.output import write_bytes_whole
 from grader.report.escape import line_for_terminal
 
 if TYPE_CHECKING:

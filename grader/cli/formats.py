@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from grader.cli.output import ready, write_whole
+from grader.output import ready, write_whole
 from grader.language import translator
 from grader.model.grade import Grade
 from grader.report.formats import FORMATS, Written

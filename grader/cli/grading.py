@@ -21,7 +21,7 @@ from grader.cli.options import (
     time_option,
     unsafe_option,
 )
-from grader.cli.output import patient_stdout, ready, stored
+from grader.cli.output import patient_stdout, stored
 from grader.cli.progress import shown_progress
 from grader.cli.replaying import replayed
 from grader.cli.status import FULL_MARKS, LOST_POINTS, OUR_FAULT
@@ -29,6 +29,7 @@ from grader.errors import UsageError
 from grader.language import usual_language
 from grader.model.grade import Grade
 from grader.model.verdict import Verdict
+from grader.output import ready
 from grader.report.escape import line_for_terminal
 
 if TYPE_CHECKING:

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 import click
 
 from grader.cli.options import language_option
-from grader.cli.output import PAGE, RESULT, VIEWS, store_page, write_whole
+from grader.cli.output import store_page
 from grader.language import usual_language
+from grader.output import PAGE, RESULT, VIEWS, write_whole
 from grader.report.escape import line_for_terminal
 
 if TYPE_CHECKING:

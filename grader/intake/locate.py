@@ -49,6 +49,11 @@ def locate(path: Path, source_limit: int) -> Submission | Rejected:
             f"{as_name(str(path))}: {why}, but a C++ file, a folder, a .zip or a .tar.gz "
             f"with one {SOURCE_NAME} is expected"
         ) from fault
+    return judged(student, found, source_limit)
+
+
+def judged(student: str, found: Candidate | Fault, source_limit: int) -> Submission | Rejected:
+    """Accept what was found, or say why it is no submission."""
     if isinstance(found, Fault):
         return Rejected(student, found.reason)
     shown = as_name(found.path)
@@ -75,9 +80,7 @@ def _found(path: Path, most: int) -> Candidate | Fault:
         finally:
             os.close(handle)
     with os.fdopen(handle, "rb") as file:
-        if path.suffix.lower() in _SOURCE_ENDINGS:
-            return Candidate(SOURCE_NAME, file.read(most))
-        return _in_archive(file, most)
+        return in_file(path.suffix, file, most)
 
 
 def _in_folder(folder: int, most: int) -> Candidate | Fault:
@@ -89,21 +92,36 @@ def _in_folder(folder: int, most: int) -> Candidate | Fault:
     return found
 
 
-def _in_archive(file: BinaryIO, most: int) -> Candidate | Fault:
-    if os.fstat(file.fileno()).st_size > LARGEST_ARCHIVE:
-        return Fault(f"larger than {LARGEST_ARCHIVE // 2**20} MiB; hand in only {SOURCE_NAME}")
-    start = file.read(TAR_MARK_PLACE + len(TAR_MARK))
+def in_file(ending: str, file: BinaryIO, most: int) -> Candidate | Fault:
+    """Take a source file, or search an archive.
+
+    Args:
+        ending: Of the file's name; a source file may have any name that ends so.
+        file: It can be sought in.
+        most: Bytes of a source file that are read.
+    """
+    if ending.lower() in _SOURCE_ENDINGS:
+        return Candidate(SOURCE_NAME, file.read(most))
+    size = file.seek(0, os.SEEK_END)
     file.seek(0)
+    if size > LARGEST_ARCHIVE:
+        return Fault(f"larger than {LARGEST_ARCHIVE // 2**20} MiB; hand in only {SOURCE_NAME}")
     try:
-        if start.startswith(ZIP_MARKS):
-            return choose(zip_entries(file), most)
-        if start.startswith(GZIP_MARK):
-            unpacked = BufferedReader(Gunzip(file, LARGEST_TAR))
-            return choose(tar_entries(unpacked), most)
-        if start.endswith(TAR_MARK):
-            return choose(tar_entries(file), most)
+        return _in_archive(file, most)
     except Damage as damage:
         return damage.fault
+
+
+def _in_archive(file: BinaryIO, most: int) -> Candidate | Fault:
+    start = file.read(TAR_MARK_PLACE + len(TAR_MARK))
+    file.seek(0)
+    if start.startswith(ZIP_MARKS):
+        return choose(zip_entries(file), most)
+    if start.startswith(GZIP_MARK):
+        unpacked = BufferedReader(Gunzip(file, LARGEST_TAR))
+        return choose(tar_entries(unpacked), most)
+    if start.endswith(TAR_MARK):
+        return choose(tar_entries(file), most)
     return Fault(
         "neither a C++ file nor a folder, .zip or .tar.gz; "
         f"hand in {SOURCE_NAME} or a .zip with it"

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from grader.cli.output import RESULT
+from grader.output import RESULT
 from tests.report.readers import commands
 
 CHECKOUT = Path(__file__).parents[2]

@@ -1,0 +1,327 @@
+"""What is kept of a class? One SQLite file that is whole after every single submission.
+
+Theory of operation. A submission is written down before it is graded, with its bytes, and its
+result in one transaction when it comes; with a write-ahead log on disk before that is called
+done. So whatever ends the process costs only what was being graded. A result belongs to bytes
+and settings, not to a student: the same bytes are graded once. Results are never changed or
+removed; `current` says which settings' results are those of the class. A lock that the kernel
+drops with the process keeps a second batch away.
+"""
+
+import fcntl
+import os
+import sqlite3
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from grader.batch.settings import Settings, read_settings
+from grader.batch.sources import STORE
+from grader.errors import OutputFault, UsageError
+from grader.model.stages import Rejected, Submission
+
+LOCK = ".batch.lock"
+VERSION = 1
+
+_SCHEMA = """
+CREATE TABLE settings (digest TEXT PRIMARY KEY, text TEXT NOT NULL, current INTEGER NOT NULL)
+    STRICT;
+CREATE TABLE source (sha256 TEXT PRIMARY KEY, bytes BLOB NOT NULL) STRICT;
+CREATE TABLE student (
+    key BLOB PRIMARY KEY,
+    slug TEXT NOT NULL UNIQUE,
+    name TEXT NOT NULL,
+    id TEXT NOT NULL,
+    email TEXT NOT NULL,
+    path TEXT,
+    sha256 TEXT REFERENCES source (sha256),
+    reason TEXT NOT NULL,
+    fault TEXT NOT NULL,
+    written TEXT NOT NULL
+) STRICT;
+CREATE TABLE result (
+    sha256 TEXT NOT NULL REFERENCES source (sha256),
+    settings TEXT NOT NULL REFERENCES settings (digest),
+    text TEXT NOT NULL,
+    PRIMARY KEY (sha256, settings)
+) STRICT;
+CREATE TABLE attachment (
+    sha256 TEXT NOT NULL,
+    settings TEXT NOT NULL,
+    name TEXT NOT NULL,
+    text TEXT NOT NULL,
+    PRIMARY KEY (sha256, settings, name)
+) STRICT;
+CREATE INDEX same ON student (sha256);
+"""
+
+
+@dataclass(frozen=True, slots=True)
+class Student:
+    """One row of the class."""
+
+    key: str
+    slug: str
+    name: str
+    id: str
+    email: str
+    path: str | None
+    """Where the file lay in the submission; None if there is no gradable file."""
+
+    sha256: str | None
+    reason: str
+    """Why there is no gradable file: the student's fault; empty if there is one."""
+
+    fault: str
+    """Why it could not be read: ours; empty if it could."""
+
+    written: str
+    """Settings of the result that lies in the student's folder; empty if none does."""
+
+    def submission(self, source: bytes) -> Submission | Rejected:
+        """Give back what intake made of it."""
+        if self.sha256 is None or self.path is None:
+            return Rejected(self.name, self.reason or self.fault)
+        return Submission(self.name, self.path, source, self.sha256)
+
+
+@dataclass(frozen=True, slots=True)
+class Result:
+    """What is kept of a grade."""
+
+    text: str
+    """Of `result.json`, with the name of whoever came first."""
+
+    attachments: tuple[tuple[str, str], ...]
+    """Name and text of each further file, relative to `result.json`."""
+
+
+class Store:
+    """The results of a class, in a folder that nobody else writes to meanwhile."""
+
+    def __init__(self, base: sqlite3.Connection) -> None:
+        """Take an open data base."""
+        self._base = base
+
+    @contextmanager
+    def changes(self) -> Iterator[None]:
+        """Make several changes one: all of them are kept, or none.
+
+        Raises:
+            OutputFault: They could not be written.
+        """
+        with _faults():
+            self._base.execute("BEGIN IMMEDIATE")
+            try:
+                yield
+                self._base.execute("COMMIT")
+            except BaseException:
+                if self._base.in_transaction:
+                    self._base.execute("ROLLBACK")
+                raise
+
+    def current(self) -> Settings | None:
+        """The settings whose results are those of the class; None before the first."""
+        row = self._one("SELECT text FROM settings WHERE current = 1")
+        return read_settings(row[0]) if row else None
+
+    def know(self, settings: Settings) -> None:
+        """Take note of settings; the first ones become current."""
+        with self.changes():
+            first = self._one("SELECT 1 FROM settings WHERE current = 1") is None
+            self._base.execute(
+                "INSERT INTO settings VALUES (?, ?, ?) ON CONFLICT DO NOTHING",
+                (settings.digest, settings.to_text(), int(first)),
+            )
+
+    def make_current(self, settings: Settings) -> None:
+        """Let the results of other settings be those of the class."""
+        with self.changes():
+            chosen = (settings.digest,)
+            self._base.execute("UPDATE settings SET current = (digest = ?)", chosen)
+
+    def student(self, key: str) -> Student | None:
+        """Look somebody up."""
+        row = self._one("SELECT * FROM student WHERE key = ?", (_packed(key),))
+        return _student(row) if row else None
+
+    def is_taken(self, slug: str) -> bool:
+        """Whether a folder belongs to somebody already."""
+        return self._one("SELECT 1 FROM student WHERE slug = ?", (slug,)) is not None
+
+    def put(self, student: Student, source: bytes) -> None:
+        """Write down what somebody handed in, in place of what was known before."""
+        values = (_packed(student.key), *_values(student))
+        with self.changes():
+            if student.sha256 is not None:
+                self._base.execute(
+                    "INSERT INTO source VALUES (?, ?) ON CONFLICT DO NOTHING",
+                    (student.sha256, source),
+                )
+            marks = ", ".join("?" * len(values))
+            self._base.execute(f"INSERT OR REPLACE INTO student VALUES ({marks})", values)  # noqa: S608 - question marks only
+
+    def source(self, sha256: str) -> bytes:
+        """The bytes of a submission."""
+        row = self._one("SELECT bytes FROM source WHERE sha256 = ?", (sha256,))
+        if row is None:
+            raise AssertionError("a student's file is written with the student")
+        return bytes(row[0])
+
+    def ungraded(self, settings: Settings) -> Iterator[Student]:
+        """One student for each file that has no result yet."""
+        yield from self._students(
+            "fault = '' AND sha256 IS NOT NULL AND sha256 NOT IN (SELECT sha256 FROM result WHERE settings = ?) AND NOT "
+            "EXISTS (SELECT 1 FROM student AS other WHERE other.sha256 = student.sha256 AND "
+            "other.fault = '' AND other.slug < student.slug)",
+            settings.digest,
+        )
+
+    def students(self) -> Iterator[Student]:
+        """All of them."""
+        yield from self._students("1")
+
+    def same(self, sha256: str) -> Iterator[Student]:
+        """Everybody who handed in these bytes."""
+        yield from self._students("sha256 = ?", sha256)
+
+    def unwritten(self, settings: Settings) -> Iterator[Student]:
+        """Those whose folder does not hold the result of these settings."""
+        yield from self._students("written != ?", settings.digest)
+
+    def keep(self, sha256: str, settings: Settings, result: Result) -> None:
+        """Write down a result; one that is there stays."""
+        with self.changes():
+            self._base.execute(
+                "INSERT INTO result VALUES (?, ?, ?) ON CONFLICT DO NOTHING",
+                (sha256, settings.digest, result.text),
+            )
+            self._base.executemany(
+                "INSERT INTO attachment VALUES (?, ?, ?, ?) ON CONFLICT DO NOTHING",
+                [(sha256, settings.digest, name, text) for name, text in result.attachments],
+            )
+
+    def result(self, sha256: str, settings: Settings) -> Result | None:
+        """The result of these bytes, if they were graded."""
+        where = (sha256, settings.digest)
+        row = self._one("SELECT text FROM result WHERE sha256 = ? AND settings = ?", where)
+        if row is None:
+            return None
+        query = "SELECT name, text FROM attachment WHERE sha256 = ? AND settings = ?"
+        return Result(row[0], tuple(self._base.execute(query, where).fetchall()))
+
+    def mark_written(self, student: Student, settings: str) -> None:
+        """Take note that a student's folder holds a result."""
+        values = (settings, _packed(student.key))
+        with self.changes():
+            self._base.execute("UPDATE student SET written = ? WHERE key = ?", values)
+
+    def _students(self, condition: str, *values: str) -> Iterator[Student]:
+        """Read rows in the order of their folders, a page at a time.
+
+        Between two pages nothing is being read, so that the log of writes can be emptied.
+        """
+        query = (
+            f"SELECT * FROM student WHERE {condition} AND slug > ? "  # noqa: S608 - our own words
+            "ORDER BY slug LIMIT 50"
+        )
+        last = ""
+        while True:
+            with _faults():
+                page = [_student(row) for row in self._base.execute(query, (*values, last))]
+            yield from page
+            if not page:
+                return
+            last = page[-1].slug
+
+    def _one(self, query: str, values: Sequence[object] = ()) -> tuple[Any, ...] | None:
+        with _faults():
+            row: tuple[Any, ...] | None = self._base.execute(query, values).fetchone()
+            return row
+
+
+@contextmanager
+def opened_store(folder: Path) -> Iterator[Store]:
+    """Open the store of a folder, or begin one, and keep others away.
+
+    Raises:
+        UsageError: Another batch uses it, or what lies there is no store of ours.
+        OutputFault: It cannot be written.
+    """
+    lock = os.open(folder / LOCK, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
+    try:
+        _locked(lock, folder)
+        base = sqlite3.connect(folder / STORE, isolation_level=None)
+        try:
+            _prepared(base, folder)
+            yield Store(base)
+        finally:
+            base.close()
+    finally:
+        os.close(lock)
+
+
+def _locked(lock: int, folder: Path) -> None:
+    try:
+        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError as fault:
+        raise UsageError(
+            f"{folder}: another batch writes there; wait for its end, or name another folder"
+        ) from fault
+
+
+def _prepared(base: sqlite3.Connection, folder: Path) -> None:
+    with _faults():
+        try:
+            (version,) = base.execute("PRAGMA user_version").fetchone()
+            base.execute("PRAGMA journal_mode = WAL")
+        except sqlite3.DatabaseError as fault:
+            if isinstance(fault, sqlite3.OperationalError):
+                raise
+            raise UsageError(
+                f"{folder / STORE}: this is no store of results; name another folder with -o"
+            ) from fault
+        base.execute("PRAGMA synchronous = FULL")
+        if version == 0:
+            base.executescript(f"BEGIN; {_SCHEMA} PRAGMA user_version = {VERSION}; COMMIT;")
+        elif version != VERSION:
+            raise UsageError(
+                f"{folder / STORE}: its schema is version {version}, but this grader reads "
+                f"{VERSION}; use the grader that wrote it, or name another folder with -o"
+            )
+
+
+@contextmanager
+def _faults() -> Iterator[None]:
+    try:
+        yield
+    except sqlite3.Error as fault:
+        raise OutputFault(f"the store of results: {fault}; is the disk full?") from fault
+
+
+def _packed(key: str) -> bytes:
+    """Names of files may be no text at all."""
+    return key.encode(errors="surrogateescape")
+
+
+def _values(student: Student) -> tuple[str | None, ...]:
+    return (
+        student.slug,
+        student.name,
+        student.id,
+        student.email,
+        student.path,
+        student.sha256,
+        student.reason,
+        student.fault,
+        student.written,
+    )
+
+
+def _student(row: Sequence[object]) -> Student:
+    key, *values = row
+    if not isinstance(key, bytes):
+        raise AssertionError("keys are stored as bytes")
+    return Student(key.decode(errors="surrogateescape"), *values)  # type: ignore[arg-type]  # columns of the schema

@@ -1,0 +1,98 @@
+"""How does a whole class look in a spreadsheet?"""
+
+import json
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from grader.batch.files import STUDENTS, Results
+from grader.batch.store import Store, Student
+from grader.output import write_whole
+from grader.report.escape import for_csv
+
+CLASS = "class.csv"
+
+COLUMNS = ("name", "id", "email", "folder", "score", "max_score", "needs_review", "note")
+LONGEST_NOTE = 300
+
+Json = dict[str, Any]
+
+
+@dataclass(slots=True)
+class Totals:
+    """How many students there are."""
+
+    graded: int = 0
+    withheld: int = 0
+    """Whose points are withheld, because we failed."""
+
+    waiting: int = 0
+    """Who have no result yet."""
+
+
+def write_table(folder: Path, store: Store, results: Results) -> Totals:
+    """Write a row for each student with a result, with the points of each part.
+
+    Raises:
+        OutputFault: It could not be written.
+    """
+    totals = Totals()
+    rows = _rows(store, results, totals)
+    write_whole(folder / CLASS, "".join(f"{row}\r\n" for row in rows))
+    return totals
+
+
+def _rows(store: Store, results: Results, totals: Totals) -> Iterator[str]:
+    is_first = True
+    for student in store.students():
+        found = results.of(student)
+        if found is None:
+            totals.waiting += 1
+            continue
+        result: Json = json.loads(found.text)
+        if result["needs_review"]:
+            totals.withheld += 1
+        else:
+            totals.graded += 1
+        if is_first:
+            is_first = False
+            # A byte order mark, without which Excel takes the file for Latin-1.
+            yield "\ufeff" + _row([*COLUMNS, *(f"part {one['id']}" for one in result["parts"])])
+        yield _row(_cells(student, result))
+
+
+def _cells(student: Student, result: Json) -> list[object]:
+    return [
+        student.name,
+        student.id,
+        student.email,
+        f"{STUDENTS}/{student.slug}",
+        result["score"],
+        result["max_score"],
+        "yes" if result["needs_review"] else "no",
+        _note(student, result),
+        *(part["score"] for part in result["parts"]),
+    ]
+
+
+def _note(student: Student, result: Json) -> str:
+    """Say why there is nothing to count, if so."""
+    if student.fault:
+        return f"not graded: {student.fault}"[:LONGEST_NOTE]
+    if student.reason:
+        return student.reason[:LONGEST_NOTE]
+    if not result["build"]["ok"]:
+        return "it does not compile"
+    return ""
+
+
+def _row(cells: list[object]) -> str:
+    return ",".join(_cell(cell) for cell in cells)
+
+
+def _cell(value: object) -> str:
+    """A number is ours and stays one; everything else may be a stranger's."""
+    if isinstance(value, int | float):
+        return f"{value:g}"
+    return "" if value is None else for_csv(str(value))

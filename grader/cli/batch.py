@@ -1,0 +1,138 @@
+"""The command that grades a whole class."""
+
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+from click.exceptions import Exit
+
+from grader.cli.interrupts import interruptible
+from grader.cli.live import shown_class
+from grader.cli.options import rubric_option, seed_option, time_option, unsafe_option
+from grader.cli.status import FULL_MARKS, INTERRUPTED, OUR_FAULT
+from grader.errors import UsageError
+from grader.output import ready
+from grader.plain import as_name
+from grader.report.escape import line_for_terminal
+
+if TYPE_CHECKING:
+    from grader.batch.layouts import Arrangement
+    from grader.batch.runner import Job
+    from grader.batch.store import Store
+    from grader.batch.table import Totals
+
+MOST_NAMED = 5
+
+
+@click.command()
+@click.argument("folder_or_zip", type=click.Path(exists=True, path_type=Path))
+@click.option(
+    "-o",
+    "--output",
+    type=click.Path(path_type=Path),
+    required=True,
+    metavar="DIR",
+    help="Folder for the results; the same one goes on where it was left.",
+)
+@click.option(
+    "--jobs",
+    type=click.IntRange(1, 256),
+    help="Submissions at a time (default: one for two processors).",
+)
+@seed_option
+@rubric_option
+@time_option
+@unsafe_option
+def batch(folder_or_zip: Path, output: Path, jobs: int | None, **given: Any) -> None:  # noqa: ANN401 - click's own
+    """Grade a whole class; the same command again goes on.
+
+    FOLDER_OR_ZIP holds a file or a folder for each student, or is a download of Moodle, Canvas,
+    Gradescope or GitHub Classroom.
+
+    Exit status: 0 every submission has its grade, 2 wrong usage, 3 some are withheld.
+    """
+    from grader.batch.runner import Job
+    from grader.batch.settings import Wish, settled
+
+    wish = Wish(
+        given["seed"], given["rubric"], given["time_limit"], not given["unsafe_no_isolation"]
+    )
+    folder = ready(output)
+    with interruptible():
+        job = Job(folder, settled(wish), wish, jobs or usual_jobs())
+        raise Exit(graded(folder_or_zip, job))
+
+
+def usual_jobs() -> int:
+    """A submission keeps about two processors busy."""
+    return max(1, len(os.sched_getaffinity(0)) // 2)
+
+
+def graded(path: Path, job: "Job") -> int:
+    """Grade a class; the exit status."""
+    from grader.batch.layouts import arranged
+    from grader.batch.runner import Batch
+    from grader.batch.sources import opened_class
+    from grader.batch.store import opened_store
+
+    with opened_class(path) as source, opened_store(job.folder) as store:
+        class_ = arranged(source, path.resolve().name)
+        tell_of(class_)
+        require_same(store, job)
+        with shown_class() as watch:
+            batch = Batch(job, store, watch)
+            try:
+                batch.read(class_)
+                batch.grade()
+                totals = batch.write()
+            except KeyboardInterrupt as fault:
+                batch.tabulate()
+                watch.say("interrupted; what was graded is kept, and the same command goes on")
+                status: int = getattr(fault, "status", INTERRUPTED)
+                return status
+    return told(job, totals, batch.troubles)
+
+
+def tell_of(class_: "Arrangement") -> None:
+    """Say what was found, and what is left out.
+
+    Raises:
+        UsageError: There is no submission.
+    """
+    others = ", ".join(f"`{as_name(name)}`" for name in class_.others[:MOST_NAMED])
+    more = ", ..." if len(class_.others) > MOST_NAMED else ""
+    beside = f"; nobody's: {others}{more}" if others else ""
+    if not class_.places:
+        raise UsageError(f"there is no submission in it, but a class is expected{beside}")
+    say(f"{len(class_.places):,} submissions, {class_.layout} layout{beside}")
+
+
+def require_same(store: "Store", job: "Job") -> None:
+    """Keep results of different rubrics, seeds and graders apart.
+
+    Raises:
+        UsageError: The folder holds results of other settings.
+    """
+    current = store.current()
+    if current is not None and current != job.settings:
+        changes = "; ".join(current.changes(job.settings))
+        raise UsageError(
+            f"{job.folder} holds results of other settings ({changes}); name another folder"
+        )
+    store.know(job.settings)
+
+
+def told(job: "Job", totals: "Totals", troubles: int) -> int:
+    """Say how it ended; the exit status."""
+    from grader.batch.files import STUDENTS
+    from grader.batch.table import CLASS
+
+    say(f"{totals.graded:,} graded, {totals.withheld:,} withheld, {totals.waiting:,} waiting")
+    say(f"{job.folder / CLASS}, and a folder for each in {job.folder / STUDENTS}")
+    return OUR_FAULT if totals.withheld or totals.waiting or troubles else FULL_MARKS
+
+
+def say(line: str) -> None:
+    """Print one line."""
+    click.echo(line_for_terminal(line))
