@@ -173,7 +173,8 @@ class Store:
     def ungraded(self, settings: Settings) -> Iterator[Student]:
         """One student for each file that has no result yet."""
         yield from self._students(
-            "fault = '' AND sha256 IS NOT NULL AND sha256 NOT IN (SELECT sha256 FROM result WHERE settings = ?) AND NOT "
+            "fault = '' AND sha256 IS NOT NULL AND "
+            "sha256 NOT IN (SELECT sha256 FROM result WHERE settings = ?) AND NOT "
             "EXISTS (SELECT 1 FROM student AS other WHERE other.sha256 = student.sha256 AND "
             "other.fault = '' AND other.slug < student.slug)",
             settings.digest,
@@ -250,10 +251,14 @@ def opened_store(folder: Path) -> Iterator[Store]:
         UsageError: Another batch uses it, or what lies there is no store of ours.
         OutputFault: It cannot be written.
     """
-    lock = os.open(folder / LOCK, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
+    try:
+        lock = os.open(folder / LOCK, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
+    except OSError as fault:
+        raise OutputFault(f"{folder / LOCK} cannot be written: {fault.strerror}") from fault
     try:
         _locked(lock, folder)
-        base = sqlite3.connect(folder / STORE, isolation_level=None)
+        with _faults():
+            base = sqlite3.connect(folder / STORE, isolation_level=None)
         try:
             _prepared(base, folder)
             yield Store(base)

@@ -111,6 +111,7 @@ class Office:
             deadline = time.monotonic() + PATIENCE_SECONDS
             for clerk in self._clerks:
                 _end(clerk, max(0.0, deadline - time.monotonic()))
+                clerk.words.close()
             self._selector.close()
         finally:
             self._scratch.__exit__(kind, fault, trace)

@@ -1,0 +1,70 @@
+"""Stands in for the pipeline: what a clerk does with a submission is what its text says.
+
+`die` ends the clerk; `die once` only the first time; `raise` is a fault of ours; `wait` never
+ends; `wrong` loses points; anything else is a perfect grade. As a
+program it grades a class so, in a whole process.
+"""
+
+import os
+import signal
+import sys
+import time
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+from grader.batch.runner import Job
+from grader.batch.settings import Settings, Wish
+from grader.batch.store import Result
+from grader.batch.work import Failed, Order, kept
+from grader.model.stages import Submission
+from tests.report import samples
+
+ENTRY = "tests.batch.stand_in:graded"
+LOG = "BVHGRADE_TESTS_LOG"
+"""Names the file that gets a line for each grading that begins."""
+
+WISH = Wish(41, None, None, isolated=False)
+SETTINGS = Settings("0.1", "1" * 64, "2" * 64, 41, "none", None)
+
+
+def job(folder: Path, clerks: int = 2) -> Job:
+    """A class that is graded by this file."""
+    return Job(folder, SETTINGS, WISH, clerks, ENTRY)
+
+
+def begun(log: Path) -> list[str]:
+    """The texts of the submissions whose grading has begun so far."""
+    return log.read_text().splitlines() if log.exists() else []
+
+
+def graded(order: Order, tell: Callable[[str], None]) -> Result | Failed:
+    """Do what the submission says."""
+    assert isinstance(order.submission, Submission)
+    text = order.submission.source.decode().strip()
+    log = Path(os.environ[LOG])
+    before = begun(log)
+    with log.open("a") as file:
+        file.write(f"{text}\n")
+    tell("[red]tracing[/red]")
+    if text == "die" or (text == "die once" and text not in before):
+        os.kill(os.getpid(), signal.SIGKILL)
+    if text == "raise":
+        return Failed("no more [bold]file descriptors")
+    while text == "wait":
+        time.sleep(1)
+    sample = samples.failing() if text == "wrong" else samples.perfect()
+    return kept(replace(sample, submission=order.submission))
+
+
+def main(source: str, folder: str) -> int:
+    """Grade a class in this process, as the command does."""
+    from grader.cli.batch import graded as grade_class
+    from grader.cli.interrupts import interruptible
+
+    with interruptible():
+        return grade_class(Path(source), job(Path(folder)))
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))

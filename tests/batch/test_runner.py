@@ -1,0 +1,223 @@
+"""A class is graded whatever happens to one submission, and nothing is graded twice."""
+
+import csv
+import os
+import sqlite3
+from pathlib import Path
+
+import pytest
+
+from grader.batch import files
+from grader.batch.store import Result, Store, opened_store
+from grader.errors import OutputFault, UsageError
+from tests.batch.classes import CODE, folder_of, grade, points, results, zip_of
+from tests.batch.stand_in import SETTINGS, begun, job
+
+
+def test_every_submission_gets_its_result(tmp_path: Path, log: Path) -> None:
+    """Right, wrong and refused ones; each in its own folder and in the table."""
+    path = folder_of(
+        tmp_path, "class", {"ada.cpp": CODE, "bob/exercise03.cpp": "wrong", "cy.cpp": " "}
+    )
+    totals, seen = grade(path, job(tmp_path / "out"))
+    assert (totals.graded, totals.withheld, totals.waiting) == (3, 0, 0)
+    found = points(tmp_path / "out")
+    assert list(found) == ["ada", "bob", "cy"]
+    assert found["ada"] == 50
+    assert found["bob"] not in (0, 50, None)
+    assert found["cy"] == 0
+    assert seen.stages == {"[red]tracing[/red]"}
+    assert not seen.troubles
+
+
+def test_the_table_has_a_row_for_each(tmp_path: Path, log: Path) -> None:
+    """Excel reads it: a mark of UTF-8, and points that are numbers."""
+    path = folder_of(tmp_path, "class", {"ädä.cpp": CODE, "bob.cpp": "raise"})
+    grade(path, job(tmp_path / "out"))
+    text = (tmp_path / "out/class.csv").read_bytes()
+    assert text.startswith(b"\xef\xbb\xbf")
+    ada, bob = csv.DictReader(text.decode("utf-8-sig").splitlines())
+    assert (ada["name"], ada["folder"], ada["score"]) == ("ädä", "students/ada", "50")
+    assert (bob["score"], bob["needs_review"]) == ("", "yes")
+    assert "file descriptors" in bob["note"]
+
+
+def test_the_same_bytes_are_graded_once(tmp_path: Path, log: Path) -> None:
+    """Each who handed them in has the result under the own name, in a later run too."""
+    given = {"ada.cpp": CODE, "bob/exercise03.cpp": CODE}
+    path = folder_of(tmp_path, "class", given)
+    grade(path, job(tmp_path / "out"))
+    folder_of(
+        tmp_path,
+        "class",
+        {"cy.zip": zip_of(tmp_path, "z", {"exercise03.cpp": CODE}).read_bytes()},
+    )
+    grade(path, job(tmp_path / "out"))
+    assert begun(log) == [CODE.strip()]
+    names = [one["submission"]["name"] for one in results(tmp_path / "out").values()]
+    assert names == ["ada", "bob", "cy"]
+
+
+def test_a_changed_file_is_graded_again(tmp_path: Path, log: Path) -> None:
+    """A second download, with a newer file of somebody."""
+    path = folder_of(tmp_path, "class", {"ada.cpp": "wrong", "bob.cpp": CODE})
+    grade(path, job(tmp_path / "out"))
+    folder_of(tmp_path, "class", {"ada.cpp": "better"})
+    grade(path, job(tmp_path / "out"))
+    assert begun(log).count("better") == 1
+    assert points(tmp_path / "out") == {"ada": 50, "bob": 50}
+
+
+@pytest.mark.parametrize("text", ["die", "raise"])
+def test_our_own_fault_is_never_0_points(tmp_path: Path, log: Path, text: str) -> None:
+    """A dead clerk costs its submission, after a second try; a person has to look."""
+    path = folder_of(tmp_path, "class", {"ada.cpp": CODE, "bob.cpp": text, "cy.cpp": "other"})
+    totals, seen = grade(path, job(tmp_path / "out"))
+    assert (totals.graded, totals.withheld) == (2, 1)
+    assert points(tmp_path / "out") == {"ada": 50, "bob": None, "cy": 50}
+    bob = results(tmp_path / "out")["bob"]
+    assert bob["needs_review"] is True
+    assert {one["verdict"] for one in bob["checks"]} == {"broken"}
+    assert begun(log).count(text) == (2 if text == "die" else 1)
+    (said,) = seen.troubles
+    assert said.startswith("bob: ")
+
+
+def test_a_clerk_may_die_once(tmp_path: Path, log: Path) -> None:
+    """The second one does what the first one began."""
+    path = folder_of(tmp_path, "class", {"ada.cpp": "die once", "bob.cpp": CODE})
+    totals, seen = grade(path, job(tmp_path / "out", clerks=1))
+    assert (totals.graded, totals.withheld) == (2, 0)
+    assert not seen.troubles
+
+
+def test_what_we_failed_at_is_tried_by_the_next_run(tmp_path: Path, log: Path) -> None:
+    """The cause may be gone by then."""
+    path = folder_of(tmp_path, "class", {"ada.cpp": "raise"})
+    for _ in range(2):
+        totals, _ = grade(path, job(tmp_path / "out"))
+    assert totals.withheld == 1
+    assert begun(log) == ["raise", "raise"]
+
+
+def test_a_deleted_file_stops_nobody(tmp_path: Path, log: Path) -> None:
+    """Gone before it was read: withheld. Gone afterwards: the result stays."""
+    path = folder_of(tmp_path, "class", {"ada.cpp": CODE, "bob.cpp": "b"})
+    out = job(tmp_path / "out")
+    grade(path, out)
+    (path / "ada.cpp").unlink()
+    (path / "bob.cpp").unlink()
+    os.mkfifo(path / "bob.cpp")
+    folder_of(tmp_path, "class", {"cy.cpp": "c"})
+    totals, _ = grade(path, out)
+    assert totals.graded == 3
+    assert points(tmp_path / "out")["ada"] == 50
+
+
+def test_a_file_that_vanishes_is_withheld(
+    tmp_path: Path, log: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Listed, and not there when it is read."""
+    path = folder_of(tmp_path, "class", {"ada.cpp": CODE, "bob.cpp": "b"})
+    from grader.batch import runner
+
+    real = runner.handed_in
+
+    def late(student: str, entries: object, limit: int) -> object:
+        if student == "ada":
+            (path / "ada.cpp").unlink()
+        return real(student, entries, limit)  # type: ignore[arg-type]  # passed on as it came
+
+    monkeypatch.setattr(runner, "handed_in", late)
+    totals, _ = grade(path, job(tmp_path / "out"))
+    assert (totals.graded, totals.withheld) == (1, 1)
+    assert points(tmp_path / "out") == {"ada": None, "bob": 50}
+
+
+def test_a_result_that_cannot_be_stored_is_told(
+    tmp_path: Path, log: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A full disk loses this one; the others go on, and the next run grades it."""
+    path = folder_of(tmp_path, "class", {"ada.cpp": CODE, "bob.cpp": "b"})
+    real = Store.keep
+
+    def full(self: Store, sha256: str, settings: object, result: Result) -> None:
+        if '"ada"' in result.text:
+            raise OutputFault("database or disk is full")
+        real(self, sha256, settings, result)  # type: ignore[arg-type]  # passed on as it came
+
+    with monkeypatch.context() as patch:
+        patch.setattr(Store, "keep", full)
+        totals, seen = grade(path, job(tmp_path / "out"))
+    assert (totals.graded, totals.waiting) == (1, 1)
+    assert "disk is full" in seen.troubles[0]
+    totals, _ = grade(path, job(tmp_path / "out"))
+    assert (totals.graded, totals.waiting) == (2, 0)
+
+
+def test_a_folder_that_cannot_be_written_is_written_later(tmp_path: Path, log: Path) -> None:
+    """A file lies where the folder belongs; the result is in the store."""
+    path = folder_of(tmp_path, "class", {"ada.cpp": CODE, "bob.cpp": "b"})
+    (tmp_path / "out/students").mkdir(parents=True)
+    (tmp_path / "out/students/ada").write_text("in the way")
+    _, seen = grade(path, job(tmp_path / "out"))
+    assert "ada" in seen.troubles[0]
+    assert points(tmp_path / "out") == {"bob": 50}
+    (tmp_path / "out/students/ada").unlink()
+    _, seen = grade(path, job(tmp_path / "out"))
+    assert not seen.troubles
+    assert points(tmp_path / "out") == {"ada": 50, "bob": 50}
+    assert sorted(begun(log)) == ["b", CODE.strip()]
+
+
+def test_an_archive_that_breaks_its_reader_stops_nobody(
+    tmp_path: Path, log: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Whatever a reader raises, it is one submission's."""
+    from grader.batch import runner
+
+    real = runner.handed_in
+
+    def broken(student: str, entries: object, limit: int) -> object:
+        if student == "ada":
+            raise RecursionError("an archive [in an archive]")
+        return real(student, entries, limit)  # type: ignore[arg-type]  # passed on as it came
+
+    monkeypatch.setattr(runner, "handed_in", broken)
+    path = folder_of(tmp_path, "class", {"ada.cpp": CODE, "bob.cpp": "b"})
+    totals, _ = grade(path, job(tmp_path / "out"))
+    assert (totals.graded, totals.withheld) == (1, 1)
+
+
+def test_attachments_of_an_earlier_result_are_removed(tmp_path: Path) -> None:
+    """A counterexample that no check names would only mislead."""
+    files.write_folder(tmp_path / "a", Result("1", (("counterexamples/x.json", "{}"),)))
+    files.write_folder(tmp_path / "a", Result("2", (("counterexamples/y.json", "{}"),)))
+    left = [path.name for path in (tmp_path / "a/counterexamples").iterdir()]
+    assert left == ["y.json"]
+
+
+def test_a_second_batch_is_kept_away(tmp_path: Path) -> None:
+    """Two would grade everything twice and write over each other."""
+    other = opened_store(tmp_path)
+    with opened_store(tmp_path), pytest.raises(UsageError, match="another batch"):
+        other.__enter__()
+    with opened_store(tmp_path) as store:
+        store.know(SETTINGS)
+        assert store.current() == SETTINGS
+
+
+def test_a_store_of_another_version_is_left_alone(tmp_path: Path) -> None:
+    """Neither read wrongly nor changed."""
+    with sqlite3.connect(tmp_path / "batch.sqlite") as base:
+        base.execute("PRAGMA user_version = 99")
+    base.close()
+    with pytest.raises(UsageError, match="version 99"), opened_store(tmp_path):
+        pass
+
+
+def test_a_file_that_is_no_store_is_left_alone(tmp_path: Path) -> None:
+    """Somebody else's file of this name."""
+    (tmp_path / "batch.sqlite").write_bytes(b"this is no data base at all" * 100)
+    with pytest.raises(UsageError, match="no store of results"), opened_store(tmp_path):
+        pass
