@@ -5,8 +5,9 @@ from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path, PurePosixPath
 
+from grader.batch.records import Result, Student
 from grader.batch.settings import Settings, Wish
-from grader.batch.store import Result, Store, Student
+from grader.batch.store import Store
 from grader.batch.work import kept
 from grader.errors import OutputFault, UsageError
 from grader.output import RESULT, ready, write_whole

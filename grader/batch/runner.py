@@ -13,9 +13,10 @@ from typing import Protocol
 
 from grader.batch.files import Results
 from grader.batch.layouts import Arrangement, Place
+from grader.batch.records import Student
 from grader.batch.settings import Settings, Wish
 from grader.batch.slug import slug
-from grader.batch.store import Store, Student
+from grader.batch.store import Store
 from grader.batch.table import Totals, write_table
 from grader.batch.work import ENTRY, Failed, Order
 from grader.errors import GraderError, OutputFault

@@ -8,94 +8,15 @@ removed; `current` says which settings' results are those of the class. A lock t
 drops with the process keeps a second batch away.
 """
 
-import fcntl
-import os
 import sqlite3
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from grader.batch.base import opened_base, written
+from grader.batch.records import Result, Student
 from grader.batch.settings import Settings, read_settings
-from grader.batch.sources import STORE
-from grader.errors import OutputFault, UsageError
-from grader.model.stages import Rejected, Submission
-
-LOCK = ".batch.lock"
-VERSION = 1
-
-_SCHEMA = """
-CREATE TABLE settings (digest TEXT PRIMARY KEY, text TEXT NOT NULL, current INTEGER NOT NULL)
-    STRICT;
-CREATE TABLE source (sha256 TEXT PRIMARY KEY, bytes BLOB NOT NULL) STRICT;
-CREATE TABLE student (
-    key BLOB PRIMARY KEY,
-    slug TEXT NOT NULL UNIQUE,
-    name TEXT NOT NULL,
-    id TEXT NOT NULL,
-    email TEXT NOT NULL,
-    path TEXT,
-    sha256 TEXT REFERENCES source (sha256),
-    reason TEXT NOT NULL,
-    fault TEXT NOT NULL,
-    written TEXT NOT NULL
-) STRICT;
-CREATE TABLE result (
-    sha256 TEXT NOT NULL REFERENCES source (sha256),
-    settings TEXT NOT NULL REFERENCES settings (digest),
-    text TEXT NOT NULL,
-    PRIMARY KEY (sha256, settings)
-) STRICT;
-CREATE TABLE attachment (
-    sha256 TEXT NOT NULL,
-    settings TEXT NOT NULL,
-    name TEXT NOT NULL,
-    text TEXT NOT NULL,
-    PRIMARY KEY (sha256, settings, name)
-) STRICT;
-CREATE INDEX same ON student (sha256);
-"""
-
-
-@dataclass(frozen=True, slots=True)
-class Student:
-    """One row of the class."""
-
-    key: str
-    slug: str
-    name: str
-    id: str
-    email: str
-    path: str | None
-    """Where the file lay in the submission; None if there is no gradable file."""
-
-    sha256: str | None
-    reason: str
-    """Why there is no gradable file: the student's fault; empty if there is one."""
-
-    fault: str
-    """Why it could not be read: ours; empty if it could."""
-
-    written: str
-    """Settings of the result that lies in the student's folder; empty if none does."""
-
-    def submission(self, source: bytes) -> Submission | Rejected:
-        """Give back what intake made of it."""
-        if self.sha256 is None or self.path is None:
-            return Rejected(self.name, self.reason or self.fault)
-        return Submission(self.name, self.path, source, self.sha256)
-
-
-@dataclass(frozen=True, slots=True)
-class Result:
-    """What is kept of a grade."""
-
-    text: str
-    """Of `result.json`, with the name of whoever came first."""
-
-    attachments: tuple[tuple[str, str], ...]
-    """Name and text of each further file, relative to `result.json`."""
 
 
 class Store:
@@ -112,7 +33,7 @@ class Store:
         Raises:
             OutputFault: They could not be written.
         """
-        with _faults():
+        with written():
             self._base.execute("BEGIN IMMEDIATE")
             try:
                 yield
@@ -230,7 +151,7 @@ class Store:
         )
         last = ""
         while True:
-            with _faults():
+            with written():
                 page = [_student(row) for row in self._base.execute(query, (*values, last))]
             yield from page
             if not page:
@@ -238,7 +159,7 @@ class Store:
             last = page[-1].slug
 
     def _one(self, query: str, values: Sequence[object] = ()) -> tuple[Any, ...] | None:
-        with _faults():
+        with written():
             row: tuple[Any, ...] | None = self._base.execute(query, values).fetchone()
             return row
 
@@ -251,59 +172,8 @@ def opened_store(folder: Path) -> Iterator[Store]:
         UsageError: Another batch uses it, or what lies there is no store of ours.
         OutputFault: It cannot be written.
     """
-    try:
-        lock = os.open(folder / LOCK, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
-    except OSError as fault:
-        raise OutputFault(f"{folder / LOCK} cannot be written: {fault.strerror}") from fault
-    try:
-        _locked(lock, folder)
-        with _faults():
-            base = sqlite3.connect(folder / STORE, isolation_level=None)
-        try:
-            _prepared(base, folder)
-            yield Store(base)
-        finally:
-            base.close()
-    finally:
-        os.close(lock)
-
-
-def _locked(lock: int, folder: Path) -> None:
-    try:
-        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except BlockingIOError as fault:
-        raise UsageError(
-            f"{folder}: another batch writes there; wait for its end, or name another folder"
-        ) from fault
-
-
-def _prepared(base: sqlite3.Connection, folder: Path) -> None:
-    with _faults():
-        try:
-            (version,) = base.execute("PRAGMA user_version").fetchone()
-            base.execute("PRAGMA journal_mode = WAL")
-        except sqlite3.DatabaseError as fault:
-            if isinstance(fault, sqlite3.OperationalError):
-                raise
-            raise UsageError(
-                f"{folder / STORE}: this is no store of results; name another folder with -o"
-            ) from fault
-        base.execute("PRAGMA synchronous = FULL")
-        if version == 0:
-            base.executescript(f"BEGIN; {_SCHEMA} PRAGMA user_version = {VERSION}; COMMIT;")
-        elif version != VERSION:
-            raise UsageError(
-                f"{folder / STORE}: its schema is version {version}, but this grader reads "
-                f"{VERSION}; use the grader that wrote it, or name another folder with -o"
-            )
-
-
-@contextmanager
-def _faults() -> Iterator[None]:
-    try:
-        yield
-    except sqlite3.Error as fault:
-        raise OutputFault(f"the store of results: {fault}; is the disk full?") from fault
+    with opened_base(folder) as base:
+        yield Store(base)
 
 
 def _packed(key: str) -> bytes:

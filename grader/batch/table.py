@@ -7,7 +7,8 @@ from pathlib import Path
 from typing import Any
 
 from grader.batch.files import STUDENTS, Results
-from grader.batch.store import Store, Student
+from grader.batch.records import Student
+from grader.batch.store import Store
 from grader.output import write_whole
 from grader.report.escape import for_csv
 

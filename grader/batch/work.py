@@ -4,8 +4,8 @@ import traceback
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
+from grader.batch.records import Result
 from grader.batch.settings import Wish
-from grader.batch.store import Result
 from grader.errors import GraderError
 from grader.model.grade import Grade
 from grader.model.stages import Rejected, Submission

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from rich.live import Live
     from rich.table import Table
 
-    from grader.batch.store import Student
+    from grader.batch.records import Student
 
 LINES = 20
 """How many lines a class takes in a pipe, whatever its size."""

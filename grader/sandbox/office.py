@@ -136,6 +136,11 @@ class Office:
         Raises:
             MissingTool: A process cannot be started.
         """
+        for dead in [
+            one for one in self._clerks if one.ticket < 0 and one.child.poll() is not None
+        ]:
+            # It died without an order, so this one is not to suffer for it.
+            self._lost(dead, "it ended")
         clerk = next((one for one in self._clerks if one.ticket < 0), None) or self._hired()
         clerk.ticket, clerk.deadline = ticket, time.monotonic() + self._seconds
         with suppress(OSError):

@@ -7,9 +7,10 @@ from pathlib import Path
 from typing import Any
 
 from grader.batch.layouts import Arrangement, arranged
+from grader.batch.records import Student
 from grader.batch.runner import Batch, Job
 from grader.batch.sources import opened_class
-from grader.batch.store import Student, opened_store
+from grader.batch.store import opened_store
 from grader.batch.table import Totals
 from tests.intake.archives import zipped
 

@@ -13,9 +13,9 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
+from grader.batch.records import Result
 from grader.batch.runner import Job
 from grader.batch.settings import Settings, Wish
-from grader.batch.store import Result
 from grader.batch.work import Failed, Order, kept
 from grader.model.stages import Submission
 from tests.report import samples

@@ -39,7 +39,7 @@ submission_102:
 MOODLE: Files = {
     "Ada Lovelace_657717_assignsubmission_file_/exercise03.cpp": CODE,
     "Ada Lovelace_657717_assignsubmission_onlinetext_/onlinetext.html": "hello",
-    "Ben_B_Berg_657718_assignsubmission_file/solution.zip": packed({"src/exercise03.cpp": "b"}),
+    "Ben_B_Berg_657718_assignsubmission_file/b.zip": packed({"x/exercise03.cpp": "b"}),
     "Cy Clo_657719_assignsubmission_file_my own.cpp": "c",
     "Di Da_657720_assignsubmission_onlinetext_/onlinetext.html": "here is my code",
 }
@@ -86,7 +86,7 @@ def made(request: pytest.FixtureRequest) -> Made:
 
 
 def found_in(path: Path) -> tuple[str, Found]:
-    """The layout; and per name the id, the e-mail address and the text, or why there is none."""
+    """The layout; and per name the id, the e-mail address, and the text or why there is none."""
     found: Found = {}
     with class_of(path) as class_:
         for place in class_.places:

@@ -105,7 +105,7 @@ def test_a_killed_clerk_costs_one_try(tmp_path: Path, log: Path) -> None:
     with waiting(tmp_path, log) as (_, process):
         for tries in (1, 2):
             until(lambda tries=tries: begun(log).count("wait") == tries)  # type: ignore[misc]  # bound here
-            # The other one is free, and its death is no news.
+            # The other one is free: its death costs nobody a try.
             for clerk in clerks_of(log):
                 os.kill(clerk, signal.SIGKILL)
         _, said = process.communicate(timeout=PATIENCE)

@@ -8,8 +8,10 @@ from pathlib import Path
 import pytest
 
 from grader.batch import files
-from grader.batch.store import Result, Store, opened_store
+from grader.batch.records import Result
+from grader.batch.store import Store, opened_store
 from grader.errors import OutputFault, UsageError
+from grader.intake.handed_in import handed_in
 from tests.batch.classes import CODE, folder_of, grade, points, results, zip_of
 from tests.batch.stand_in import SETTINGS, begun, job
 
@@ -119,16 +121,14 @@ def test_a_file_that_vanishes_is_withheld(
 ) -> None:
     """Listed, and not there when it is read."""
     path = folder_of(tmp_path, "class", {"ada.cpp": CODE, "bob.cpp": "b"})
-    from grader.batch import runner
-
-    real = runner.handed_in
+    real = handed_in
 
     def late(student: str, entries: object, limit: int) -> object:
         if student == "ada":
             (path / "ada.cpp").unlink()
         return real(student, entries, limit)  # type: ignore[arg-type]  # passed on as it came
 
-    monkeypatch.setattr(runner, "handed_in", late)
+    monkeypatch.setattr("grader.batch.runner.handed_in", late)
     totals, _ = grade(path, job(tmp_path / "out"))
     assert (totals.graded, totals.withheld) == (1, 1)
     assert points(tmp_path / "out") == {"ada": None, "bob": 50}
@@ -174,16 +174,14 @@ def test_an_archive_that_breaks_its_reader_stops_nobody(
     tmp_path: Path, log: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Whatever a reader raises, it is one submission's."""
-    from grader.batch import runner
-
-    real = runner.handed_in
+    real = handed_in
 
     def broken(student: str, entries: object, limit: int) -> object:
         if student == "ada":
             raise RecursionError("an archive [in an archive]")
         return real(student, entries, limit)  # type: ignore[arg-type]  # passed on as it came
 
-    monkeypatch.setattr(runner, "handed_in", broken)
+    monkeypatch.setattr("grader.batch.runner.handed_in", broken)
     path = folder_of(tmp_path, "class", {"ada.cpp": CODE, "bob.cpp": "b"})
     totals, _ = grade(path, job(tmp_path / "out"))
     assert (totals.graded, totals.withheld) == (1, 1)

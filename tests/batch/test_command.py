@@ -1,0 +1,87 @@
+"""`bvhgrade batch` grades real submissions, and says what is wrong with a call."""
+
+import json
+import sqlite3
+import subprocess
+import sys
+from pathlib import Path
+
+import jsonschema
+import pytest
+
+from grader.report.as_json import schema_text
+from tests.batch.classes import folder_of, results, zip_of
+from tests.batch.stand_in import SETTINGS
+from tests.cli.test_processes import environment
+from tests.own_files import ROOT
+
+SUBMISSIONS = ROOT / "tests/submissions"
+RIGHT = (SUBMISSIONS / "right/own-slab-test.cpp").read_bytes()
+WRONG = (SUBMISSIONS / "wrong/axis-always-x.cpp").read_bytes()
+
+
+def batch(*words: str | Path, cache: Path) -> subprocess.CompletedProcess[str]:
+    """Type the command."""
+    return subprocess.run(
+        [sys.executable, "-m", "grader", "batch", *map(str, words)],
+        env=environment(BVHGRADE_CACHE=str(cache)),
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=300,
+    )
+
+
+@pytest.mark.xdist_group("batch")
+def test_three_real_submissions(tmp_path: Path, cache: Path) -> None:
+    """A download of Moodle: one right, one with a mistake, and the right one again."""
+    given = {
+        "Ada Lovelace_11_assignsubmission_file/exercise03.cpp": RIGHT,
+        "Ben Berg_12_assignsubmission_file/exercise03.cpp": WRONG,
+        "Cy Clo_13_assignsubmission_file/mine.cpp": RIGHT,
+    }
+    path = zip_of(tmp_path, "CG-Exercise 3-4711", given)
+    ended = batch(path, "-o", tmp_path / "out", cache=cache)
+    assert (ended.returncode, ended.stdout.splitlines()[:1]) == (
+        0,
+        ["3 submissions, Moodle layout"],
+    ), ended.stderr
+    assert "grading 2 different files" in ended.stderr
+    found = results(tmp_path / "out")
+    scores = {slug: result["score"] for slug, result in found.items()}
+    assert scores["ada-lovelace-11"] == scores["cy-clo-13"] == 50
+    assert 0 < scores["ben-berg-12"] < 50
+    for result in found.values():
+        jsonschema.validate(result, json.loads(schema_text()))
+    (named,) = (tmp_path / "out/students/ben-berg-12/counterexamples").iterdir()
+    assert named.name == "bvh.splits-the-longest-axis.json"
+    assert found["cy-clo-13"]["submission"]["name"] == "Cy Clo"
+
+    again = batch(path, "-o", tmp_path / "out", cache=cache)
+    assert again.returncode == 0
+    assert "grading 0 different files" in again.stderr
+    other = batch(path, "-o", tmp_path / "out", "--seed", "7", cache=cache)
+    assert other.returncode == 2
+    assert "seed: 41 -> 7" in other.stderr
+
+
+def test_a_folder_without_submissions_is_refused(tmp_path: Path, cache: Path) -> None:
+    """And what lies there instead is named, harmlessly."""
+    path = folder_of(tmp_path, "class", {"\x1b[31mnotes.txt": "x"})
+    ended = batch(path, "-o", tmp_path / "out", "--unsafe-no-isolation", cache=cache)
+    assert ended.returncode == 2
+    assert "no submission" in ended.stderr
+    assert "\\x1b[31mnotes.txt" in ended.stderr
+
+
+def test_a_store_holds_everything(tmp_path: Path) -> None:
+    """Settings are written as text that a person reads."""
+    from grader.batch.settings import read_settings
+    from grader.batch.store import opened_store
+
+    with opened_store(tmp_path) as store:
+        store.know(SETTINGS)
+    with sqlite3.connect(tmp_path / "batch.sqlite") as base:
+        ((text,),) = base.execute("SELECT text FROM settings").fetchall()
+    base.close()
+    assert read_settings(text) == SETTINGS
