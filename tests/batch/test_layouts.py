@@ -86,7 +86,7 @@ def made(request: pytest.FixtureRequest) -> Made:
 
 
 def found_in(path: Path) -> tuple[str, Found]:
-    """The layout; and per name the id, the e-mail address, and the text or why there is none."""
+    """The layout; and per name the id, the e-mail address, the text or why there is none."""
     found: Found = {}
     with class_of(path) as class_:
         for place in class_.places:
