@@ -11,6 +11,8 @@ VIEWS = "views.json"
 """What can be seen of the submission: `report.html` is made from it and from the result."""
 
 PAGE = "report.html"
+STUDENT = "student.json"
+"""Whose folder it is, where a whole class was graded."""
 
 
 def ready(folder: Path, name: str = RESULT) -> Path:

@@ -109,7 +109,7 @@ class Summary:
     def failed_to_judge(self, reason: str) -> None:
         """Conclude nothing at all: we failed before or between the checks."""
         self._findings = [
-            Finding(each.id, "grader", Verdict.BROKEN, Evidence(0, 0), reason)
+            Finding(each.id, "grader", Verdict.BROKEN, NOTHING, reason)
             for each in self._selection.checks
         ]
 

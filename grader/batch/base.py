@@ -23,6 +23,7 @@ CREATE TABLE student (
     name TEXT NOT NULL,
     id TEXT NOT NULL,
     email TEXT NOT NULL,
+    layout TEXT NOT NULL,
     path TEXT,
     sha256 TEXT REFERENCES source (sha256),
     reason TEXT NOT NULL,

@@ -1,4 +1,4 @@
-"""Who would have other points, in which checks, and why? Two results of the same bytes compared.
+"""Who would have other points, in which checks, and why? Results of the same bytes compared.
 
 Only what decides points is looked at: a time, a wording or an example may differ from run to
 run of two versions, and nobody has more or fewer points for it.
@@ -75,7 +75,7 @@ def lines(change: Change) -> list[str]:
 
 
 def provenance_changes(before: Json, after: Json) -> list[str]:
-    """Name each part of two provenances that differs, with both values; the processor is none."""
+    """Name each part of two provenances that differs, with both values; processors may."""
     parts = [name for name in dict.fromkeys([*before, *after]) if name != "cpu"]
     return [
         f"{name}: {_shown(before.get(name))} -> {_shown(after.get(name))}"

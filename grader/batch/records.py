@@ -14,6 +14,9 @@ class Student:
     name: str
     id: str
     email: str
+    layout: str
+    """Of the download, which says what kind of id it is."""
+
     path: str | None
     """Where the file lay in the submission; None if there is no gradable file."""
 

@@ -8,17 +8,16 @@ import json
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from functools import partial
-from pathlib import Path
 from typing import Protocol
 
 from grader.batch.files import Results
+from grader.batch.job import Job
 from grader.batch.layouts import Arrangement, Place
 from grader.batch.records import Student
-from grader.batch.settings import Settings, Wish
 from grader.batch.slug import slug
 from grader.batch.store import Store
 from grader.batch.table import Totals, write_table
-from grader.batch.work import ENTRY, Failed, Order
+from grader.batch.work import Failed, Order
 from grader.errors import GraderError, OutputFault
 from grader.intake.handed_in import handed_in
 from grader.model.stages import Rejected
@@ -52,21 +51,6 @@ class Watch(Protocol):
         """Something of ours went wrong; the others go on."""
 
 
-@dataclass(frozen=True, slots=True)
-class Job:
-    """A class to be graded."""
-
-    folder: Path
-    """Where the results go."""
-
-    settings: Settings
-    wish: Wish
-    clerks: int
-    entry: str = ENTRY
-    preview: bool = False
-    """Keep the results in the store only, beside those of the class."""
-
-
 @dataclass(slots=True)
 class Batch:
     """The grading of a class, as far as it has come."""
@@ -85,7 +69,7 @@ class Batch:
     @property
     def results(self) -> Results:
         """What is known."""
-        return Results(self.store, self.job.settings, self.job.wish)
+        return Results(self.store, self.job)
 
     def read(self, class_: Arrangement) -> None:
         """Write down what everybody handed in."""
@@ -207,7 +191,7 @@ class Batch:
     def tabulate(self) -> Totals:
         """Write the table of the class."""
         try:
-            return write_table(self.job.folder, self.store, self.results)
+            return write_table(self.job, self.store, self.results)
         except GraderError as fault:
             self._trouble(str(fault))
             return Totals()
@@ -215,7 +199,7 @@ class Batch:
     def _write(self, students: Iterator[Student]) -> None:
         for student in students:
             try:
-                self.results.write(self.job.folder, student)
+                self.results.write(student)
             except GraderError as fault:
                 self._trouble(f"{student.name}: {fault}")
 
@@ -232,6 +216,7 @@ def _read(place: Place, class_: Arrangement, limit: int) -> tuple[Student, bytes
         as_name(place.name),
         as_name(place.id),
         as_name(place.email),
+        class_.layout,
         path=None,
         sha256=None,
         reason="",

@@ -35,6 +35,7 @@ class Wish:
             self.time_limit,
             counterexamples=True,
             isolated=self.isolated,
+            views=True,
         )
 
 

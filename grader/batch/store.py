@@ -187,6 +187,7 @@ def _values(student: Student) -> tuple[str | None, ...]:
         student.name,
         student.id,
         student.email,
+        student.layout,
         student.path,
         student.sha256,
         student.reason,

@@ -3,16 +3,19 @@
 import json
 from collections.abc import Iterator
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 from grader.batch.files import STUDENTS, Results
+from grader.batch.job import Job
 from grader.batch.records import Student
 from grader.batch.store import Store
-from grader.output import write_whole
+from grader.output import PAGE, write_whole
+from grader.report.class_row import Row, row_of
 from grader.report.escape import for_csv
+from grader.report.html.classroom import to_class_page
 
 CLASS = "class.csv"
+CLASS_PAGE = "class.html"
 
 COLUMNS = ("name", "id", "email", "folder", "score", "max_score", "needs_review", "note")
 LONGEST_NOTE = 300
@@ -32,19 +35,21 @@ class Totals:
     """Who have no result yet."""
 
 
-def write_table(folder: Path, store: Store, results: Results) -> Totals:
-    """Write a row for each student with a result, with the points of each part.
+def write_table(job: Job, store: Store, results: Results) -> Totals:
+    """Write a row for each student with a result into a table, and into a page.
 
     Raises:
         OutputFault: It could not be written.
     """
-    totals = Totals()
-    rows = _rows(store, results, totals)
-    write_whole(folder / CLASS, "".join(f"{row}\r\n" for row in rows))
+    totals, shown = Totals(), list[Row]()
+    rows = _rows(store, results, totals, shown)
+    write_whole(job.folder / CLASS, "".join(f"{row}\r\n" for row in rows))
+    page = to_class_page(shown, f"bvhgrade {job.settings.grader}", job.language)
+    write_whole(job.folder / CLASS_PAGE, page)
     return totals
 
 
-def _rows(store: Store, results: Results, totals: Totals) -> Iterator[str]:
+def _rows(store: Store, results: Results, totals: Totals, shown: list[Row]) -> Iterator[str]:
     is_first = True
     for student in store.students():
         found = results.of(student)
@@ -60,6 +65,7 @@ def _rows(store: Store, results: Results, totals: Totals) -> Iterator[str]:
             is_first = False
             # A byte order mark, without which Excel takes the file for Latin-1.
             yield "\ufeff" + _row([*COLUMNS, *(f"part {one['id']}" for one in result["parts"])])
+        shown.append(row_of(result, f"{STUDENTS}/{student.slug}/{PAGE}"))
         yield _row(_cells(student, result))
 
 

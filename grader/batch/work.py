@@ -9,6 +9,7 @@ from grader.batch.settings import Wish
 from grader.errors import GraderError
 from grader.model.grade import Grade
 from grader.model.stages import Rejected, Submission
+from grader.output import VIEWS
 from grader.pipeline import grade_located
 from grader.plain import printable
 
@@ -58,17 +59,17 @@ def graded(order: Order, tell: Callable[[str], None]) -> Result | Failed:
 
 
 def kept(grade: Grade) -> Result:
-    """Write all files of a grade: this is the one place where a class's reports are made.
-
-    A page `report.html` belongs into the attachments, beside the counterexamples.
-    """
+    """Write down all that is known of a grade; pages are made from this, at any time."""
     from grader.counterexample.written import to_text as counterexample
     from grader.report.as_json import to_text
     from grader.report.facts import counterexample_file
+    from grader.report.views import to_text as views_text
 
     files = tuple(
         (counterexample_file(score), counterexample(score.counterexample))
         for score in grade.checks
         if score.counterexample is not None
     )
+    if grade.views is not None:
+        files = (*files, (VIEWS, views_text(grade.views)))
     return Result(to_text(grade), files)

@@ -9,16 +9,23 @@ from click.exceptions import Exit
 
 from grader.cli.interrupts import interruptible
 from grader.cli.live import shown_class
-from grader.cli.options import rubric_option, seed_option, time_option, unsafe_option
+from grader.cli.options import (
+    language_option,
+    rubric_option,
+    seed_option,
+    time_option,
+    unsafe_option,
+)
 from grader.cli.status import FULL_MARKS, INTERRUPTED, OUR_FAULT
 from grader.errors import UsageError
+from grader.language import usual_language
 from grader.output import ready
 from grader.plain import as_name
 from grader.report.escape import line_for_terminal
 
 if TYPE_CHECKING:
+    from grader.batch.job import Job
     from grader.batch.layouts import Arrangement
-    from grader.batch.runner import Job
     from grader.batch.store import Store
     from grader.batch.table import Totals
 
@@ -43,6 +50,7 @@ MOST_NAMED = 5
 @seed_option
 @rubric_option
 @time_option
+@language_option
 @unsafe_option
 def batch(folder_or_zip: Path, output: Path, jobs: int | None, **given: Any) -> None:  # noqa: ANN401 - click's own
     """Grade a whole class; the same command again goes on.
@@ -52,7 +60,7 @@ def batch(folder_or_zip: Path, output: Path, jobs: int | None, **given: Any) -> 
 
     Exit status: 0 every submission has its grade, 2 wrong usage, 3 some are withheld.
     """
-    from grader.batch.runner import Job
+    from grader.batch.job import Job
     from grader.batch.settings import Wish, settled
 
     wish = Wish(
@@ -60,7 +68,8 @@ def batch(folder_or_zip: Path, output: Path, jobs: int | None, **given: Any) -> 
     )
     folder = ready(output)
     with interruptible():
-        job = Job(folder, settled(wish), wish, jobs or usual_jobs())
+        language = given["language"] or usual_language()
+        job = Job(folder, settled(wish), wish, jobs or usual_jobs(), language)
         raise Exit(graded(folder_or_zip, job))
 
 

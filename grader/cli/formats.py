@@ -6,9 +6,9 @@ from pathlib import Path
 
 import click
 
-from grader.output import ready, write_whole
 from grader.language import translator
 from grader.model.grade import Grade
+from grader.output import ready, write_whole
 from grader.report.formats import FORMATS, Written
 
 format_option = click.option(

@@ -6,9 +6,10 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+from grader.batch.job import Job
 from grader.batch.layouts import Arrangement, arranged
 from grader.batch.records import Student
-from grader.batch.runner import Batch, Job
+from grader.batch.runner import Batch
 from grader.batch.sources import opened_class
 from grader.batch.store import opened_store
 from grader.batch.table import Totals

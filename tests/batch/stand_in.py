@@ -13,8 +13,8 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
+from grader.batch.job import Job
 from grader.batch.records import Result
-from grader.batch.runner import Job
 from grader.batch.settings import Settings, Wish
 from grader.batch.work import Failed, Order, kept
 from grader.model.stages import Submission
@@ -30,7 +30,7 @@ SETTINGS = Settings("0.1", "1" * 64, "2" * 64, 41, "none", None)
 
 def job(folder: Path, clerks: int = 2) -> Job:
     """A class that is graded by this file."""
-    return Job(folder, SETTINGS, WISH, clerks, ENTRY)
+    return Job(folder, SETTINGS, WISH, clerks, entry=ENTRY)
 
 
 def begun(log: Path) -> list[str]:

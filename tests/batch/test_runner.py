@@ -12,8 +12,12 @@ from grader.batch.records import Result
 from grader.batch.store import Store, opened_store
 from grader.errors import OutputFault, UsageError
 from grader.intake.handed_in import handed_in
+from grader.report.as_json import to_text
 from tests.batch.classes import CODE, folder_of, grade, points, results, zip_of
 from tests.batch.stand_in import SETTINGS, begun, job
+from tests.report import samples
+
+TEXT = to_text(samples.perfect())
 
 
 def test_every_submission_gets_its_result(tmp_path: Path, log: Path) -> None:
@@ -189,8 +193,8 @@ def test_an_archive_that_breaks_its_reader_stops_nobody(
 
 def test_attachments_of_an_earlier_result_are_removed(tmp_path: Path) -> None:
     """A counterexample that no check names would only mislead."""
-    files.write_folder(tmp_path / "a", Result("1", (("counterexamples/x.json", "{}"),)))
-    files.write_folder(tmp_path / "a", Result("2", (("counterexamples/y.json", "{}"),)))
+    files.write_folder(tmp_path / "a", Result(TEXT, (("counterexamples/x.json", "{}"),)), "en")
+    files.write_folder(tmp_path / "a", Result(TEXT, (("counterexamples/y.json", "{}"),)), "en")
     left = [path.name for path in (tmp_path / "a/counterexamples").iterdir()]
     assert left == ["y.json"]
 
