@@ -11,6 +11,12 @@ VIEWS = "views.json"
 """What can be seen of the submission: `report.html` is made from it and from the result."""
 
 PAGE = "report.html"
+STORE = "batch.sqlite"
+"""A folder with this file holds the results of a class, and is nobody's submission."""
+
+STUDENTS = "students"
+"""Holds a folder for each student of a class."""
+
 STUDENT = "student.json"
 """Whose folder it is, where a whole class was graded."""
 

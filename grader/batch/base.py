@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from grader.batch.sources import STORE
 from grader.errors import OutputFault, UsageError
+from grader.output import STORE
 
 LOCK = ".batch.lock"
 VERSION = 1

@@ -10,14 +10,12 @@ from grader.batch.records import Result, Student
 from grader.batch.store import Store
 from grader.batch.work import kept
 from grader.errors import OutputFault, UsageError
-from grader.output import PAGE, RESULT, STUDENT, VIEWS, ready, write_whole
+from grader.output import PAGE, RESULT, STUDENT, STUDENTS, VIEWS, ready, write_whole
 from grader.pipeline import grade_located, withheld_grade
 from grader.report import as_json
 from grader.report.escape import for_json
 from grader.report.facts import FOLDER
 from grader.report.html.submission import to_html
-
-STUDENTS = "students"
 
 
 class Results:

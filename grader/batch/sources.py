@@ -18,10 +18,8 @@ from grader.errors import UsageError
 from grader.intake.candidates import Damage, Entry, Fault, is_junk, parts
 from grader.intake.folder import folder_entries, opened
 from grader.intake.zip import ZIP_MARKS, zip_entries
+from grader.output import STORE
 from grader.plain import as_name
-
-STORE = "batch.sqlite"
-"""A folder with this file holds results, and is nobody's submission."""
 
 MOST_ITEMS = 20_000
 """Things at the top of a class; more is no class."""

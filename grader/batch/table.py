@@ -5,11 +5,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from grader.batch.files import STUDENTS, Results
+from grader.batch.files import Results
 from grader.batch.job import Job
 from grader.batch.records import Student
 from grader.batch.store import Store
-from grader.output import PAGE, write_whole
+from grader.output import PAGE, STUDENTS, write_whole
 from grader.report.class_row import Row, row_of
 from grader.report.escape import for_csv
 from grader.report.html.classroom import to_class_page

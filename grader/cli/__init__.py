@@ -15,6 +15,7 @@ from grader.cli.installation import doctor, schema
 from grader.cli.reporting import report
 from grader.cli.scenes import scenes
 from grader.cli.status import INTERRUPTED, GraderGroup
+from grader.cli.verify import verify
 
 
 @click.group(cls=GraderGroup, context_settings={"help_option_names": ["-h", "--help"]})
@@ -23,7 +24,7 @@ def cli() -> None:
     """Grade a BVH exercise in C++: one file, two functions, 50 points."""
 
 
-for command in (check, grade, batch, report, export, scenes, doctor, schema, certify):
+for command in (check, grade, batch, verify, report, export, scenes, doctor, schema, certify):
     cli.add_command(command)
 
 

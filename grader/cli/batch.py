@@ -1,6 +1,7 @@
 """The command that grades a whole class."""
 
 import os
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -19,13 +20,17 @@ from grader.cli.options import (
 from grader.cli.status import FULL_MARKS, INTERRUPTED, OUR_FAULT
 from grader.errors import UsageError
 from grader.language import usual_language
-from grader.output import ready
+from grader.output import STUDENTS, ready
 from grader.plain import as_name
 from grader.report.escape import line_for_terminal
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from grader.batch.comparison import Change
     from grader.batch.job import Job
     from grader.batch.layouts import Arrangement
+    from grader.batch.records import Student
     from grader.batch.store import Store
     from grader.batch.table import Totals
 
@@ -33,7 +38,7 @@ MOST_NAMED = 5
 
 
 @click.command()
-@click.argument("folder_or_zip", type=click.Path(exists=True, path_type=Path))
+@click.argument("folder_or_zip", type=click.Path(exists=True, path_type=Path), required=False)
 @click.option(
     "-o",
     "--output",
@@ -47,16 +52,18 @@ MOST_NAMED = 5
     type=click.IntRange(1, 256),
     help="Submissions at a time (default: one for two processors).",
 )
+@click.option("--regrade", is_flag=True, help="Show who would change and why; keep all.")
+@click.option("--apply", is_flag=True, help="With --regrade: make it the class's results.")
 @seed_option
 @rubric_option
 @time_option
 @language_option
 @unsafe_option
-def batch(folder_or_zip: Path, output: Path, jobs: int | None, **given: Any) -> None:  # noqa: ANN401 - click's own
+def batch(folder_or_zip: Path | None, output: Path, jobs: int | None, **given: Any) -> None:  # noqa: ANN401 - click's own
     """Grade a whole class; the same command again goes on.
 
     FOLDER_OR_ZIP holds a file or a folder for each student, or is a download of Moodle, Canvas,
-    Gradescope or GitHub Classroom.
+    Gradescope or GitHub Classroom. --regrade takes what DIR holds instead.
 
     Exit status: 0 every submission has its grade, 2 wrong usage, 3 some are withheld.
     """
@@ -70,6 +77,10 @@ def batch(folder_or_zip: Path, output: Path, jobs: int | None, **given: Any) -> 
     with interruptible():
         language = given["language"] or usual_language()
         job = Job(folder, settled(wish), wish, jobs or usual_jobs(), language)
+        if given["regrade"]:
+            raise Exit(regraded(replace(job, preview=True), given["apply"]))
+        if folder_or_zip is None or given["apply"]:
+            raise UsageError("name the folder or zip of a class; --apply goes with --regrade")
         raise Exit(graded(folder_or_zip, job))
 
 
@@ -103,6 +114,51 @@ def graded(path: Path, job: "Job") -> int:
     return told(job, totals, batch.troubles)
 
 
+def regraded(job: "Job", apply: bool) -> int:
+    """Grade what the store holds with other settings; the exit status.
+
+    Raises:
+        UsageError: There is nothing to compare with, or not all could be graded.
+    """
+    from grader.batch.comparison import changes
+    from grader.batch.runner import Batch
+    from grader.batch.store import opened_store
+
+    with opened_store(job.folder) as store:
+        before = store.current()
+        if before is None:
+            raise UsageError(f"{job.folder} holds no results yet; grade a class first")
+        say("; ".join(before.changes(job.settings)) or "the same settings as before")
+        store.know(job.settings)
+        with shown_class() as watch:
+            batch = Batch(job, store, watch)
+            batch.grade()
+        tell_changes(changes(store, before, job.settings))
+        missing = sum(1 for _ in store.ungraded(job.settings))
+        if missing or not apply:
+            say(f"{missing:,} not graded anew; nothing was changed; --apply makes it so")
+            return OUR_FAULT if missing else FULL_MARKS
+        store.make_current(job.settings)
+        batch.job = replace(job, preview=False)
+        return told(job, batch.write(), batch.troubles)
+
+
+def tell_changes(found: "Iterable[tuple[Student, Change | None]]") -> None:
+    """Say of everybody whose points or checks change what changes, and why."""
+    from grader.batch.comparison import lines
+
+    same = 0
+    for student, change in found:
+        if change is None:
+            same += 1
+            continue
+        first, *checks = lines(change)
+        say(f"{student.name}: {first}")
+        for line in checks:
+            click.echo(f"    {line_for_terminal(line)}")
+    say(f"{same:,} stay as they are")
+
+
 def tell_of(class_: "Arrangement") -> None:
     """Say what was found, and what is left out.
 
@@ -127,14 +183,14 @@ def require_same(store: "Store", job: "Job") -> None:
     if current is not None and current != job.settings:
         changes = "; ".join(current.changes(job.settings))
         raise UsageError(
-            f"{job.folder} holds results of other settings ({changes}); name another folder"
+            f"{job.folder} holds results of other settings ({changes}); add --regrade to see "
+            "what that changes, or name another folder"
         )
     store.know(job.settings)
 
 
 def told(job: "Job", totals: "Totals", troubles: int) -> int:
     """Say how it ended; the exit status."""
-    from grader.batch.files import STUDENTS
     from grader.batch.table import CLASS
 
     say(f"{totals.graded:,} graded, {totals.withheld:,} withheld, {totals.waiting:,} waiting")

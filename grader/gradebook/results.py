@@ -19,10 +19,14 @@ from typing import Any
 
 from grader.errors import UsageError
 from grader.gradebook.shape import fault_in
+from grader.output import STORE, STUDENT, STUDENTS
 from grader.report.as_json import SCHEMA_VERSION, Json, schema_text
 from grader.report.escape import LARGEST_JSON
 
 RESULT = "result.json"
+LARGEST_NAMES = 1 << 16
+"""Bytes of a file that says whose folder it is."""
+
 USUAL_OUTPUT = "bvhgrade-out"
 """Where `bvhgrade grade` writes by itself; the folder above it is the student's then."""
 
@@ -68,8 +72,26 @@ def results_in(folder: Path) -> list[Marked]:
     for path in result_paths(folder):
         here = path.resolve().parent
         name = here.parent.name if here.name == USUAL_OUTPUT else here.name
-        found.append(Marked(name, ids_of(name), read_result(path)))
+        known = _known_by_batch(path, folder)
+        found.append(Marked(name, known or ids_of(name), read_result(path)))
     return found
+
+
+def _known_by_batch(path: Path, folder: Path) -> Ids | None:
+    """Read whose a result is where `bvhgrade batch` wrote it; None anywhere else.
+
+    It is believed only below the store of a class, where no student can put a file.
+    """
+    if not (folder / STORE).is_file() or path.parents[1] != folder / STUDENTS:
+        return None
+    known = read_json(path.with_name(STUDENT), LARGEST_NAMES, 1)
+    id, email, layout = (str(known.get(each, "")) for each in ("id", "email", "layout"))
+    return Ids(
+        account=id or email or str(known.get("name", "")),
+        participant=id if layout == "Moodle" else "",
+        canvas=id if layout == "Canvas" else "",
+        full_name=str(known.get("name", "")),
+    )
 
 
 def result_paths(folder: Path) -> list[Path]:

@@ -1,7 +1,7 @@
 """Stands in for the pipeline: what a clerk does with a submission is what its text says.
 
 `die` ends the clerk; `die once` only the first time; `raise` is a fault of ours; `wait` never
-ends; `wrong` loses points; anything else is a perfect grade. As a
+ends; `wrong` loses points, `moody` with another seed; anything else is a perfect grade. As a
 program it grades a class so, in a whole process.
 """
 
@@ -53,7 +53,8 @@ def graded(order: Order, tell: Callable[[str], None]) -> Result | Failed:
         return Failed("no more [bold]file descriptors")
     while text == "wait":
         time.sleep(1)
-    sample = samples.failing() if text == "wrong" else samples.perfect()
+    loses = text == "wrong" or (text == "moody" and order.wish.seed != SETTINGS.seed)
+    sample = samples.failing() if loses else samples.perfect()
     return kept(replace(sample, submission=order.submission))
 
 

@@ -7,8 +7,9 @@ import pytest
 
 from grader.errors import UsageError
 from grader.gradebook.results import Ids, ids_of, results_in
+from grader.report.as_json import to_text
 from tests.gradebook.folders import CLASS, write_class
-from tests.report import real
+from tests.report import real, samples
 
 
 def test_every_result_is_found_in_order(tmp_path: Path) -> None:
@@ -119,3 +120,25 @@ def test_a_folder_without_results_is_wrong_usage(tmp_path: Path) -> None:
 def test_a_whole_class(tmp_path: Path) -> None:
     """The folders that the other tests use."""
     assert [one.student for one in results_in(write_class(tmp_path, CLASS))] == sorted(CLASS)
+
+
+@pytest.mark.parametrize(
+    ("layout", "ids"),
+    [
+        ("Moodle", Ids("77", participant="77", full_name="Ada L")),
+        ("Canvas", Ids("77", canvas="77", full_name="Ada L")),
+        ("Gradescope", Ids("77", full_name="Ada L")),
+    ],
+)
+def test_a_batch_says_whose_a_folder_is(tmp_path: Path, layout: str, ids: Ids) -> None:
+    """Names of its folders are made safe, so that they no longer tell it."""
+    folder = tmp_path / "students/ada-l-77"
+    folder.mkdir(parents=True)
+    (folder / "result.json").write_text(to_text(samples.perfect()))
+    known = {"schema": 1, "name": "Ada L", "id": "77", "email": "a@b.c", "layout": layout}
+    (folder / "student.json").write_text(json.dumps(known))
+    (one,) = results_in(tmp_path)
+    assert one.ids.account == "ada-l-77", "a file of a student's says nothing"
+    (tmp_path / "batch.sqlite").touch()
+    (one,) = results_in(tmp_path)
+    assert one.ids == ids

@@ -1,0 +1,58 @@
+"""The command that grades again and says whether a stored result still holds."""
+
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+from click.exceptions import Exit
+
+from grader.cli.grading import graded, is_withheld, ordered
+from grader.cli.options import rubric_option, submission_type, time_option, unsafe_option
+from grader.cli.status import FULL_MARKS, LOST_POINTS, OUR_FAULT
+from grader.report.escape import line_for_terminal
+
+if TYPE_CHECKING:
+    from grader.report.as_json import Json
+
+
+@click.command()
+@click.argument("result", type=click.Path(exists=True, dir_okay=False, path_type=Path))
+@click.argument("submission", type=submission_type)
+@rubric_option
+@time_option
+@unsafe_option
+def verify(result: Path, submission: Path, **given: Any) -> None:  # noqa: ANN401 - click's own
+    """Grade SUBMISSION again as RESULT says, and compare.
+
+    RESULT is a result.json; its seed is taken, and --rubric has to name its rubric.
+
+    Exit status: 0 reproduced, 1 something differs, 2 wrong usage, 3 the grader failed.
+    """
+    from grader.gradebook.results import read_result
+    from grader.report.as_json import to_json
+
+    stored = read_result(result)
+    seed = stored["provenance"]["seed"]
+    order = ordered(submission, {**given, "seed": seed, "language": "en"})
+    grade = graded(replace(order, views=False))
+    found = differences(stored, to_json(grade))
+    for line in found or [f"reproduced: {stored['score']} of {stored['max_score']}"]:
+        click.echo(line_for_terminal(line))
+    if is_withheld(grade):
+        raise Exit(OUR_FAULT)
+    raise Exit(LOST_POINTS if found else FULL_MARKS)
+
+
+def differences(stored: "Json", again: "Json") -> list[str]:
+    """Say what differs: the file, what decides points, and then the points; nothing if none."""
+    from grader.batch.comparison import compared, lines, provenance_changes
+
+    before, after = (one["submission"]["sha256"] for one in (stored, again))
+    found = [] if before == after else ["the submission is not the file that was graded"]
+    changes = provenance_changes(stored["provenance"], again["provenance"])
+    found += [f"provenance, {change}" for change in changes]
+    if change := compared(stored, again):
+        first, *checks = lines(change)
+        found += [f"points, {first}", *(f"check, {line}" for line in checks)]
+    return found
