@@ -17,7 +17,7 @@ format_option = click.option(
     type=click.Choice(list(FORMATS)),
     multiple=True,
     metavar="NAME",
-    help=f"{', '.join(FORMATS)}; repeatable. result.json is always there.",
+    help=f"{', '.join(FORMATS)}; repeatable. json and html always are.",
 )
 
 Destination = tuple[Path, Written]

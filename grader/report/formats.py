@@ -33,6 +33,7 @@ class Written:
 
 FORMATS: Mapping[str, tuple[Written, ...]] = {
     "json": (),  # result.json is always there: everything else is made from it
+    "html": (),  # and so is report.html
     "gradescope": (Written("gradescope/results.json", gradescope.to_text),),
     "prairielearn": (Written("prairielearn/results.json", prairielearn.to_text),),
     "autolab": (Written("autolab.txt", autolab.to_text),),

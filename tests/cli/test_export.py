@@ -128,7 +128,8 @@ def test_every_format_is_written_beside_the_result(pipeline: Pipeline) -> None:
     for written in (each for files in FORMATS.values() for each in files):
         assert Path("out", written.path).read_text() == written.write(result, str)
     assert call("grade", FILE, "-o", "plain", "--format", "json").exit_code == 0
-    assert {each.name for each in Path("plain").iterdir()} == {"counterexamples", "result.json"}
+    always = {"counterexamples", "result.json", "report.html"}
+    assert {each.name for each in Path("plain").iterdir()} == always
 
 
 def test_a_withheld_score_is_written_too(pipeline: Pipeline) -> None:

@@ -127,7 +127,7 @@ def test_the_repeated_command_can_be_pasted(pipeline: Pipeline) -> None:
         ["grade", FILE, "--seed", "minus"],
         ["grade", FILE, "--seed", "-1"],
         ["grade", FILE, "--seed", "4294967296"],
-        ["grade", FILE, "--format", "html"],
+        ["grade", FILE, "--format", "pdf"],
         ["grade", FILE, "--rubric", "nowhere.toml"],
         ["grade", FILE, "--rubric", "src"],
         ["grade", FILE, "extra"],
