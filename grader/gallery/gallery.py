@@ -21,6 +21,10 @@ PATH_SECONDS = 2.0
 """CPU seconds for the path of one ray through the largest scene."""
 
 
+LEAST_SECONDS = 5.0
+"""Wall time that drawing takes on a busy machine, without a second for the submission."""
+
+
 class Gallery:
     """The pictures and trees of one submission."""
 
@@ -50,14 +54,20 @@ class Gallery:
         Args:
             grade: All decided.
             trials: The plan's.
-            seconds: Wall time that the submission may take, all in all.
+            seconds: Wall time that is left of the whole grade.
         """
+        if seconds < LEAST_SECONDS:
+            return _remarked(
+                grade, "nothing was drawn: the time of the whole grade was used up"
+            )
         try:
-            return replace(grade, views=self._views(grade, trials, max(seconds, 0.0)))
+            return replace(grade, views=self._views(grade, trials, seconds - LEAST_SECONDS))
         except Interrupted:
             raise
         except Exception as fault:  # noqa: BLE001 - nothing is decided here: it costs the pictures
-            return _remarked(grade, type(fault).__name__)
+            name = type(fault).__name__
+            told = f"nothing could be drawn, which is our own fault ({name}) and costs no point"
+            return _remarked(grade, told)
 
     def _views(self, grade: Grade, trials: Sequence[Trial], seconds: float) -> Views:
         # What a rubric hides is in no report, whoever reads it.
@@ -75,9 +85,8 @@ class Gallery:
         return Exhibit(place, trial, self._seen.get(trial.name), tree)
 
 
-def _remarked(grade: Grade, fault: str) -> Grade:
-    """Say that there are no pictures, so that somebody reports it."""
+def _remarked(grade: Grade, remark: str) -> Grade:
+    """Say why there are no pictures."""
     if grade.build is None:
         return grade
-    remark = f"nothing could be drawn, which is our own fault ({fault}) and costs no point"
     return replace(grade, build=replace(grade.build, remarks=(*grade.build.remarks, remark)))

@@ -139,3 +139,13 @@ def test_our_own_fault_costs_the_pictures_and_nothing_else(
     assert after.build is not None
     assert "RuntimeError" in after.build.remarks[-1]
     assert replace(after, build=grade.build) == grade
+
+
+def test_without_time_nothing_is_drawn(reference: Engine) -> None:
+    """A submission that used all of it in every case does not get more by its pictures."""
+    gallery, case = Gallery(reference), case_of("nested")
+    gallery.note(case)
+    after = gallery.shown(samples.perfect(), [case.trial], 1.0)
+    assert after.views is None
+    assert after.build is not None
+    assert "time" in after.build.remarks[-1]
