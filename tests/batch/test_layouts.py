@@ -37,7 +37,7 @@ submission_102:
 """
 
 MOODLE: Files = {
-    "Ada Lovelace_657717_assignsubmission_file_/exercise03.cpp": CODE,
+    "Ada Lovelace_657717_assignsubmission_file_/mine.cpp": CODE,
     "Ada Lovelace_657717_assignsubmission_onlinetext_/onlinetext.html": "hello",
     "Ben_B_Berg_657718_assignsubmission_file/b.zip": packed({"x/exercise03.cpp": "b"}),
     "Cy Clo_657719_assignsubmission_file_my own.cpp": "c",

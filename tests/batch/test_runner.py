@@ -48,6 +48,14 @@ def test_the_table_has_a_row_for_each(tmp_path: Path, log: Path) -> None:
     assert "file descriptors" in bob["note"]
 
 
+def test_a_name_is_no_formula(tmp_path: Path, log: Path) -> None:
+    """A spreadsheet would compute it."""
+    path = folder_of(tmp_path, "class", {"=1+1.cpp": CODE})
+    grade(path, job(tmp_path / "out"))
+    (row,) = csv.DictReader((tmp_path / "out/class.csv").read_text("utf-8-sig").splitlines())
+    assert row["name"] == "'=1+1"
+
+
 def test_the_same_bytes_are_graded_once(tmp_path: Path, log: Path) -> None:
     """Each who handed them in has the result under the own name, in a later run too."""
     given = {"ada.cpp": CODE, "bob/exercise03.cpp": CODE}

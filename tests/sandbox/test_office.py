@@ -1,0 +1,36 @@
+"""Clerks do orders, and the death of one is news of its own order only."""
+
+import os
+import signal
+
+from grader.sandbox.office import Done, Gone, News, Office
+
+
+def answer(order: str, tell: object) -> int:
+    """Say which process it is; die if that is the order."""
+    if order == "die":
+        os.kill(os.getpid(), signal.SIGKILL)
+    return os.getpid()
+
+
+def told(office: Office) -> News:
+    """The next piece of news."""
+    while True:
+        for news in office.news():
+            return news
+
+
+def test_a_clerk_that_died_without_an_order_costs_none() -> None:
+    """The next order gets a living clerk."""
+    with Office(f"{__name__}:answer", 1, 60.0) as office:
+        office.give(1, "who")
+        first = told(office)
+        assert isinstance(first, Done)
+        os.kill(first.result, signal.SIGKILL)
+        os.waitid(os.P_PID, first.result, os.WEXITED | os.WNOWAIT)
+        office.give(2, "who")
+        second = told(office)
+        assert isinstance(second, Done)
+        assert second.ticket == 2
+        office.give(3, "die")
+        assert isinstance(told(office), Gone)
