@@ -10,6 +10,7 @@ assignsubmission_file`, 123 being what the worksheet calls Participant 123), and
 """
 
 import json
+import math
 import os
 import re
 import stat
@@ -18,8 +19,8 @@ from pathlib import Path
 from typing import Any
 
 from grader.errors import UsageError
-from grader.gradebook.shape import fault_in
 from grader.output import STORE, STUDENT, STUDENTS
+from grader.plain import one_line
 from grader.report.as_json import SCHEMA_VERSION, Json, schema_text
 from grader.report.escape import LARGEST_JSON
 
@@ -32,6 +33,7 @@ USUAL_OUTPUT = "bvhgrade-out"
 
 _MOODLE = re.compile(r"(?P<full_name>.+?)_(?P<participant>\d+)_assignsubmission_")
 _CANVAS = re.compile(r"[^\W_]+_(?:LATE_)?(?P<canvas>\d+)_\d+_", re.IGNORECASE)
+LONGEST_PLACE = 80
 _READ = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC
 
 
@@ -136,8 +138,14 @@ def read_result(path: Path) -> Json:
         UsageError: It cannot be read, or is not what the grader writes.
     """
     value = read_json(path, LARGEST_JSON, SCHEMA_VERSION)
-    if fault_there := fault_in(value, json.loads(schema_text())):
-        raise _damaged(path, fault_there)
+    from jsonschema import Draft202012Validator
+    from jsonschema.exceptions import best_match
+
+    fault = best_match(Draft202012Validator(json.loads(schema_text())).iter_errors(value))
+    if fault is not None:
+        # Not its message, which quotes a whole value.
+        place = one_line(fault.json_path)[:LONGEST_PLACE]
+        raise _damaged(path, f"{place} is not as `bvhgrade schema` says ({fault.validator})")
     return value
 
 
@@ -154,7 +162,7 @@ def read_json(path: Path, most: int, version: int) -> Json:
     """
     text = _content(path, most)
     try:
-        value: Any = json.loads(text, parse_constant=_refuse)
+        value: Any = json.loads(text, parse_constant=_refuse, parse_float=_finite)
     except (ValueError, RecursionError) as fault:
         raise _damaged(path, f"it is not JSON ({fault})") from fault
     found = value.get("schema") if isinstance(value, dict) else None
@@ -176,6 +184,11 @@ def _content(path: Path, most: int) -> bytes:
     if len(content) > most:
         raise _damaged(path, f"it has more than {most:,} bytes")
     return content
+
+
+def _finite(text: str) -> float:
+    """Read a number; Python takes `1e999` for infinity."""
+    return float(text) if math.isfinite(float(text)) else _refuse(text)
 
 
 def _refuse(name: str) -> float:

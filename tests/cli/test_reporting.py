@@ -67,7 +67,7 @@ def test_several_students_get_a_page_of_the_class(folder: Path, tmp_path: Path) 
     [
         ("result.json", "{", "it is not JSON"),
         ("result.json", '{"schema": 2}', "schema is 2, but 1 is read here"),
-        ("result.json", '{"schema": 1}', "submission"),
+        ("result.json", '{"schema": 1}', "is not as `bvhgrade schema` says"),
         ("views.json", '{"schema": 7}', "schema is 7, but 1 is read here"),
         ("views.json", "[NaN]", "NaN is no number"),
     ],

@@ -87,7 +87,7 @@ def test_a_platform_s_name_of_a_folder_is_understood(name: str, ids: Ids) -> Non
         (b"[" * 100_000, "not JSON"),
         (b"[]", "schema is None, but 1"),
         (b'{"schema": 2}', "schema is 2, but 1"),
-        (b'{"schema": 1}', "submission is missing"),
+        (b'{"schema": 1}', "is not as `bvhgrade schema` says"),
         (b'{"schema": 1, "score": NaN}', "NaN is no number"),
         (b" " * 900_001, "more than 900,000 bytes"),
     ],
@@ -107,7 +107,7 @@ def test_an_infinite_score_is_refused(tmp_path: Path) -> None:
     """JSON has no word for it, and yet Python reads one."""
     text = json.dumps(real.real("right")).replace('"score": 50', '"score": 1e999', 1)
     (tmp_path / "result.json").write_text(text)
-    with pytest.raises(UsageError, match="score is inf"):
+    with pytest.raises(UsageError, match="1e999 is no number"):
         results_in(tmp_path)
 
 
