@@ -3,7 +3,7 @@
 Nothing is decided here any more: our own fault costs a picture, and no point.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -12,6 +12,7 @@ from grader.gallery.hung import Exhibit, hung
 from grader.gallery.models import models
 from grader.gallery.pictures import pictures
 from grader.model.cases import Case, ImageCase, TreeCase
+from grader.model.counterexample import NodeTable
 from grader.model.grade import Grade
 from grader.model.trials import ImageTrial, Trial
 from grader.model.views import Views
@@ -77,12 +78,21 @@ class Gallery:
         return Views(
             pictures(exhibits, self._engine, seconds / 2),
             models(grade, exhibits, self._engine, allowed),
+            tuple(_tables(grade)),
         )
 
     def _exhibit(self, trial: ImageTrial) -> Exhibit:
         place = self._hung[trial.name]
         tree = self._trees.get(place.scene.mesh)
         return Exhibit(place, trial, self._seen.get(trial.name), tree)
+
+
+def _tables(grade: Grade) -> Iterator[tuple[str, NodeTable]]:
+    """Return the trees that are small enough to be read node by node."""
+    for score in grade.checks:
+        found = score.counterexample
+        if found is not None and found.table is not None:
+            yield score.check, found.table
 
 
 def _remarked(grade: Grade, remark: str) -> Grade:

@@ -4,8 +4,13 @@ Nothing in here moves a point.
 """
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from grader.model.mesh import Bytes, Floats, FrozenArrays, Integers, Mesh
+
+if TYPE_CHECKING:
+    # It imports this module, because a counterexample has a model.
+    from grader.model.counterexample import NodeTable
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -129,3 +134,6 @@ class Views:
     pictures: tuple[Picture, ...]
     models: tuple[Model, ...]
     """The most telling one first."""
+
+    tables: tuple[tuple[str, "NodeTable"], ...] = ()
+    """Trees of small counterexamples, node by node, with the id of the check."""

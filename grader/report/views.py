@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from grader.model.counterexample import NodeTable
 from grader.model.mesh import Bytes, Floats, Integers
 from grader.model.views import Drawing, Model, Picture, ShownRay, Views
 from grader.report.colours import HEAT, MAGMA
@@ -44,6 +45,18 @@ def to_json(views: Views) -> Json:
         "schema": SCHEMA_VERSION,
         "pictures": _pictures(views.pictures),
         "models": [_model(one) for one in views.models],
+        "tables": [_table(check, table) for check, table in views.tables],
+    }
+
+
+def _table(check: str, table: NodeTable) -> Json:
+    """Write a small tree as the sheet's figure shows one."""
+    return {
+        "check": check,
+        "columns": [[one.node, one.expected, one.got] for one in table.columns],
+        "expected_faces": table.expected_faces,
+        "got_faces": table.got_faces,
+        "first_difference": table.first_difference,
     }
 
 

@@ -15,6 +15,7 @@ from grader.model.views import Views
 from grader.report import views as module
 from grader.report.views import to_json, to_text
 from tests.gallery.shown import SIDE, model, picture
+from tests.report.small_inputs import small
 from tests.verify.builder import soup
 
 
@@ -97,6 +98,17 @@ def test_boxes_and_the_ray_are_told() -> None:
     assert made["ray"]["expected_t"] is None
     assert made["ray"]["got_t"] == 2.5
     assert [step["face"] for step in made["ray"]["steps"]] == [None, 2]
+
+
+def test_a_small_tree_is_told_node_by_node() -> None:
+    """With the node in which it differs first."""
+    table = small().table
+    assert table is not None
+    (made,) = to_json(Views((), (), (("bvh.boxes-are-tight", table),)))["tables"]
+    assert made["check"] == "bvh.boxes-are-tight"
+    assert made["columns"][1] == [1, "[0,9)", "[0,9)"]
+    assert made["first_difference"] == 1
+    assert made["got_faces"] == "0 4 | 1 2 3"
 
 
 def test_a_mesh_without_faces_can_be_told() -> None:

@@ -2,7 +2,7 @@
 
 import re
 import shlex
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -45,10 +45,13 @@ class Failure:
     model: int | None
     """Which model of the 3D view shows it."""
 
+    table: Json | None
+    """The tree of its smallest example, node by node."""
 
-def failures(result: Json, models: Sequence[Json], words: Words) -> list[Failure]:
+
+def failures(result: Json, views: Json, words: Words) -> list[Failure]:
     """Explain every failed check, the one first that costs most."""
-    return [_failure(one, result, models, words) for one in worst_first(result)]
+    return [_failure(one, result, views, words) for one in worst_first(result)]
 
 
 def spoken(one: Failure, told: Words) -> Failure:
@@ -112,9 +115,10 @@ def _is_idle(part: str, checks: Mapping[str, Json]) -> bool:
     )
 
 
-def _failure(check: Json, result: Json, models: Sequence[Json], words: Words) -> Failure:
+def _failure(check: Json, result: Json, views: Json, words: Words) -> Failure:
     happened, where = _first_place(check["message"])
-    shown = [place for place, one in enumerate(models) if one["check"] == check["id"]]
+    shown = [place for place, one in enumerate(views["models"]) if one["check"] == check["id"]]
+    tables = [one for one in views.get("tables", ()) if one["check"] == check["id"]]
     return Failure(
         check=check["id"],
         title=words(check["title"]),
@@ -129,6 +133,7 @@ def _failure(check: Json, result: Json, models: Sequence[Json], words: Words) ->
             one["id"] for one in result["checks"] if one["blocked_by"] == check["id"]
         ),
         model=shown[0] if shown else None,
+        table=tables[0] if tables else None,
     )
 
 

@@ -34,9 +34,7 @@ def to_html(result: Json, views: Json | None, language: str) -> str:
     shown = models(seen, words, teller(language))
     values = {
         **head(result, words),
-        "failures": [
-            spoken(one, teller(language)) for one in failures(result, seen["models"], words)
-        ],
+        "failures": [spoken(one, teller(language)) for one in failures(result, seen, words)],
         "idle": [not_started(part, words) for part in idle_parts(result)],
         "broken": [one for one in result["checks"] if one["verdict"] == "broken"],
         "groups": groups(result, words),

@@ -12,6 +12,7 @@ from grader.model.views import Drawing, Model, Picture, ShownRay, Step, Views
 from grader.oracle.balanced import balanced_tree
 from grader.oracle.scenes import load_mesh, scene_named
 from grader.report.views import to_json
+from tests.report.small_inputs import small
 from tests.verify.builder import build, soup
 
 MOST_BOXES = 1023
@@ -24,6 +25,7 @@ def failing_views() -> dict[str, Any]:
     views = Views(
         pictures=(drawn("nested", 0), drawn("dragon", 40)),
         models=(loose_box(), lost_hit(), dragon()),
+        tables=tuple((one.check, one.table) for one in [small()] if one.table),
     )
     return to_json(views)
 

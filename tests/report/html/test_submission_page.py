@@ -15,7 +15,7 @@ from grader.errors import OutputFault
 from grader.report.as_json import to_json
 from grader.report.html.findings import cause, failures, idle_parts, worst_first
 from grader.report.html.page import joined
-from grader.report.html.submission import to_html
+from grader.report.html.submission import NOTHING, to_html
 from tests.report import samples
 from tests.report.hostile import HOSTILE
 
@@ -99,7 +99,9 @@ def test_a_failure_tells_everything_that_is_known() -> None:
     """What happened, both values, the smallest example, the cause, the place, how to repeat."""
     result = to_json(samples.failing())
     models = [{"check": "other.check"}, {"check": "bvh.boxes-are-tight"}]
-    (one,) = [each for each in failures(result, models, str) if "boxes" in each.check]
+    table: dict[str, Any] = {"check": "bvh.boxes-are-tight", "columns": []}
+    seen = {"models": models, "tables": [table]}
+    (one,) = [each for each in failures(result, seen, str) if "boxes" in each.check]
     facts = {label: text for label, text, _ in one.facts}
     assert one.happened == "node 1 of 3 triangles: one of them reaches out"
     assert facts["expected"] == "node 1 box.max = (1.25, 1, 0)"
@@ -109,10 +111,22 @@ def test_a_failure_tells_everything_that_is_known() -> None:
     assert one.cause.endswith("This explains 60 of 61 places.")
     assert one.waiting == ("bvh.children-partition-their-parent",)
     assert one.model == 1
+    assert one.table == table
     again, replay = (command for _, command in one.commands)
     assert again == "bvhgrade check src/exercise03.cpp --seed 41 --only bvh.boxes-are-tight"
     assert replay.endswith("--replay counterexamples/bvh.boxes-are-tight.json")
     assert len(one.hints) == 2
+
+
+def test_the_smallest_example_is_drawn_node_by_node(views: dict[str, Any]) -> None:
+    """As the sheet's figure: a column a node, the first difference marked in both rows."""
+    page = to_html(to_json(samples.failing()), views, "de")
+    (table,) = re.findall(r'<table class="nodes">.*?</table>', page, re.DOTALL)
+    assert table.count("<td") == 14
+    assert table.count('class="f"') == 2
+    assert '<th scope="col" class="f">1</th>' in table
+    assert '<th scope="row">erwartet</th>' in table
+    assert "<code>0 4 | 1 2 3</code>" in page
 
 
 def test_pixels_that_the_check_allows_are_no_mistake(views: dict[str, Any]) -> None:
@@ -130,7 +144,9 @@ def test_pixels_that_the_check_allows_are_no_mistake(views: dict[str, Any]) -> N
 def test_how_many_are_wrong_stands_apart_from_the_first() -> None:
     """A count, and then the first wrong place."""
     result = to_json(samples.failing())
-    (one,) = [each for each in failures(result, [], str) if each.check == "hits.closest-wins"]
+    (one,) = [
+        each for each in failures(result, NOTHING, str) if each.check == "hits.closest-wins"
+    ]
     assert one.happened == "61 of 4,000 wrong, first in `nested`"
     assert one.where == "ray 17: a closer hit was missed"
 
@@ -140,7 +156,7 @@ def test_a_hidden_check_names_no_command() -> None:
     result = to_json(samples.failing())
     for check in result["checks"]:
         check["visibility"] = "hidden"
-    assert all(not one.commands for one in failures(result, [], str))
+    assert all(not one.commands for one in failures(result, NOTHING, str))
 
 
 def test_parts_that_were_not_started_are_told_once() -> None:
