@@ -1,10 +1,38 @@
 """How a value is taken out of a TOML table, or refused with where, what and what instead."""
 
 import difflib
+import tomllib
 from collections.abc import Iterable
+from pathlib import Path
 from typing import Any
 
 from grader.errors import UsageError
+
+LARGEST_FILE = 1 << 20
+
+
+def read_table(path: Path, what: str) -> tuple["Table", bytes]:
+    """Read a TOML file; returns its root and its bytes.
+
+    Args:
+        path: The file.
+        what: What it should be, for messages: `a rubric`.
+
+    Raises:
+        UsageError: It cannot be read, or is no such file.
+    """
+    try:
+        with path.open("rb") as file:
+            content = file.read(LARGEST_FILE + 1)
+        if len(content) > LARGEST_FILE:
+            raise UsageError(f"{path}: more than 1 MiB, but {what} is a short TOML file")
+        return Table(str(path), tomllib.loads(content.decode("utf-8"))), content
+    except OSError as fault:
+        raise UsageError(f"{path}: {fault.strerror}, but {what} is expected there") from fault
+    except (UnicodeDecodeError, RecursionError) as fault:
+        raise UsageError(f"{path}: not a text in UTF-8, but {what} is TOML") from fault
+    except ValueError as fault:
+        raise UsageError(f"{path}: not valid TOML: {fault}") from fault
 
 
 class Table:

@@ -11,11 +11,11 @@ from grader.counterexample.shown import with_ray, with_tree
 from grader.counterexample.table import MOST_FACES, path_table, tree_table
 from grader.model.cases import TreeCase
 from grader.model.counterexample import Counterexample
-from grader.model.mesh import SOLID
 from grader.model.trials import AlteredTrial, ConstructTrial, ImageTrial, TraceTrial, Trial
 from grader.model.verdict import Evidence
 from grader.oracle.brute import chosen
 from grader.solution import Solution
+from grader.verify.closest import closest_sure
 
 PATH_FACES = 1_000
 """Faces of a mesh that is shown: its tree, or the recorded path of a ray."""
@@ -97,11 +97,9 @@ def explanation(
 ) -> Explanation:
     """Say where the ray's hit was lost, or where it comes from."""
     answers, t = trial.answers, setting.path.found
-    mine = np.arange(answers.first[ray], answers.first[ray + 1])
-    solid = mine[answers.kind[mine] == SOLID]
-    if not solid.size:
+    nearest = closest_sure(answers, ray)
+    if nearest < 0:
         return false_hit(setting)
-    nearest = solid[np.argmin(answers.t[solid])]
     face, limit = int(answers.face[nearest]), float(answers.limit[ray])
     if isinstance(trial, AlteredTrial):
         return Explanation(

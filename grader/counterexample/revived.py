@@ -3,7 +3,7 @@
 import numpy as np
 
 from grader.counterexample.reading import Content
-from grader.model.mesh import SOLID, Answers, Bvh, Mask, Mesh, Rays
+from grader.model.mesh import Answers, Bvh, Mask, Mesh, Rays
 from grader.model.trials import (
     AlteredTrial,
     ConstructTrial,
@@ -18,6 +18,7 @@ from grader.oracle.balanced import balanced_tree
 from grader.oracle.brute import answers
 from grader.oracle.costs import given_box_test, plain_costs
 from grader.oracle.hierarchy import leaves_of, traverse
+from grader.verify.closest import closest_sure
 
 
 def trial_of(given: Content) -> Trial:
@@ -78,8 +79,7 @@ def out_of_reach(tree: Bvh, rays: Rays, found: Answers) -> Mask:
         for ray, leaf in zip(visits.ray.tolist(), visits.leaf.tolist(), strict=True):
             reached[ray].update(tree.order[tree.begin[leaf] : tree.end[leaf]].tolist())
     for ray in range(lost.size):
-        mine = np.arange(found.first[ray], found.first[ray + 1])
-        solid = mine[found.kind[mine] == SOLID]
-        if solid.size:
-            lost[ray] = found.face[solid[np.argmin(found.t[solid])]] not in reached[ray]
+        nearest = closest_sure(found, ray)
+        if nearest >= 0:
+            lost[ray] = found.face[nearest] not in reached[ray]
     return lost

@@ -5,11 +5,15 @@ from collections.abc import Sequence
 import numpy as np
 
 from grader.counterexample.explain import Explanation, Setting
-from grader.model.mesh import SOLID, Bvh, Floats, Integers, Mesh
+from grader.counterexample.table import first_difference
+from grader.model.mesh import Bvh, Floats, Integers, Mesh
 from grader.model.path import NO_NODE
 from grader.model.trials import AlteredTrial, ImageTrial, TraceTrial
 from grader.model.views import Model, ShownRay, Step
-from grader.verify.tree import Shape, shape, spans
+from grader.verify.bounds import loose_nodes
+from grader.verify.closest import closest_sure
+from grader.verify.structure import unreadable
+from grader.verify.tree import spans
 
 MOST_BOXES = 1023
 """Nodes of the ten uppermost levels: what is below hides more than it shows."""
@@ -28,13 +32,10 @@ def with_tree(check: str, mesh: Mesh, tree: Bvh, expected: Bvh) -> Model:
         tree: What `construct` made of it.
         expected: A right tree of it.
     """
-    readable = is_readable(mesh, tree)
-    loose = loose_node(mesh, tree) if readable else -1
-    node = loose if loose >= 0 else _first_difference(expected, tree)
-    box: tuple[float, ...] = ()
-    if loose >= 0:
-        true = spans(mesh, tree)
-        box = tuple(map(float, (*true.low[loose], *true.high[loose])))
+    node = loose_node(mesh, tree)
+    if node < 0:
+        count = max(len(expected.end), len(tree.end))
+        node = first_difference(expected, tree, range(min(count, MOST_BOXES)))
     return Model(
         check=check,
         title="",
@@ -43,7 +44,7 @@ def with_tree(check: str, mesh: Mesh, tree: Bvh, expected: Bvh) -> Model:
         low=boxes(tree)[0],
         high=boxes(tree)[1],
         node=node if node < MOST_BOXES else -1,
-        right_box=box,
+        right_box=right_box(mesh, tree, node),
         marked=faces_of(mesh, tree, node),
         ray=None,
     )
@@ -91,28 +92,25 @@ def boxes(tree: Bvh) -> tuple[Floats, Floats]:
     return low, np.where(used, tree.high[:count], nothing)
 
 
-def is_readable(mesh: Mesh, tree: Bvh) -> bool:
-    """Tell whether ranges and face indices lie within the mesh."""
-    faces = len(mesh.faces)
-    whole = len(tree.order) == faces and len(tree.end) == tree.node_count
-    return bool(
-        whole
-        and (tree.begin <= tree.end).all()
-        and (tree.end <= faces).all()
-        and (tree.order < faces).all()
-    )
-
-
 def loose_node(mesh: Mesh, tree: Bvh) -> int:
     """Return the first node whose box is not the box of its own faces; -1 if there is none.
 
-    The tree has to be readable.
+    Of a tree that is not readable nothing is known.
     """
-    form: Shape = shape(tree)
-    true, rows = spans(mesh, tree), form.reached
-    loose = (tree.low[rows] != true.low[rows]) | (tree.high[rows] != true.high[rows])
-    wrong = rows[loose.any(axis=1)]
-    return int(wrong[0]) if wrong.size else -1
+    if not len(tree.end) or unreadable(mesh, tree) is not None:
+        return -1
+    return next((n for n in (0, *loose_nodes(mesh, tree)[:1]) if right_box(mesh, tree, n)), -1)
+
+
+def right_box(mesh: Mesh, tree: Bvh, node: int) -> tuple[float, ...]:
+    """Return minimum and maximum of a node's faces; empty if its box is that, or unknown."""
+    if not 0 <= node < len(tree.end) or unreadable(mesh, tree) is not None:
+        return ()
+    true = spans(mesh, tree)
+    same = (tree.low[node] == true.low[node]) & (tree.high[node] == true.high[node])
+    if same.all() or not np.isfinite(true.low[node]).all():
+        return ()
+    return tuple(map(float, (*true.low[node], *true.high[node])))
 
 
 def faces_of(mesh: Mesh, tree: Bvh, node: int) -> Integers:
@@ -123,22 +121,6 @@ def faces_of(mesh: Mesh, tree: Bvh, node: int) -> Integers:
     return held[held < len(mesh.faces)].astype(np.int64)
 
 
-def _first_difference(expected: Bvh, tree: Bvh) -> int:
-    """Return the first node in which two trees differ; -1 if none does."""
-    for node in range(min(max(len(expected.end), len(tree.end)), MOST_BOXES)):
-        if _content(expected, node) != _content(tree, node):
-            return node
-    return -1
-
-
-def _content(tree: Bvh, node: int) -> object:
-    if node >= len(tree.end) or not tree.end[node]:
-        return None
-    begin, end = int(tree.begin[node]), int(tree.end[node])
-    box = (tree.low[node].tobytes(), tree.high[node].tobytes())
-    return begin, end, sorted(tree.order[begin:end].tolist()), box
-
-
 def _ray(
     setting: Setting,
     trial: TraceTrial | AlteredTrial | ImageTrial,
@@ -146,17 +128,15 @@ def _ray(
     found: Explanation,
 ) -> ShownRay:
     rays, answers = trial.rays, trial.answers
-    mine = np.arange(answers.first[ray], answers.first[ray + 1])
-    solid = mine[answers.kind[mine] == SOLID]
-    nearest = solid[np.argmin(answers.t[solid])] if solid.size else -1
+    nearest = closest_sure(answers, ray)
     return ShownRay(
         origin=_triple(rays.origin[ray]),
         direction=_triple(rays.direction[ray]),
         t_min=float(rays.t_min[ray]),
         t_max=float(rays.t_max[ray]),
-        expected=float(answers.t[nearest]) if solid.size else float(np.inf),
+        expected=float(answers.t[nearest]) if nearest >= 0 else float(np.inf),
         got=setting.path.found,
-        face=int(answers.face[nearest]) if solid.size else -1,
+        face=int(answers.face[nearest]) if nearest >= 0 else -1,
         lost=found.node,
         sentence=found.text,
         steps=tuple(_steps(setting)),
@@ -169,8 +149,7 @@ def _steps(setting: Setting) -> Sequence[Step]:
     count = min(len(path.is_box), MOST_STEPS)
     nodes = setting.nodes() if len(mesh.faces) <= SEARCHED_FACES else path.node.astype(np.int64)
     nodes = np.where(nodes == NO_NODE, -1, nodes)
-    corners = np.ascontiguousarray(mesh.vertices[mesh.faces].reshape(-1, 9))
-    known = {row.tobytes(): face for face, row in enumerate(corners)}
+    known = _faces_by_corners(mesh, path.corners[:count][~path.is_box[:count]])
     return [
         Step(
             node=int(nodes[step]),
@@ -180,6 +159,19 @@ def _steps(setting: Setting) -> Sequence[Step]:
         )
         for step in range(count)
     ]
+
+
+def _faces_by_corners(mesh: Mesh, tested: Floats) -> dict[bytes, int]:
+    """Find faces by the bytes of their corners, without going through all of a large mesh.
+
+    Args:
+        mesh: The mesh.
+        tested: (K, 9) float32, corners of the triangles that are looked for.
+    """
+    begins = np.isin(mesh.vertices[mesh.faces[:, 0], 0], tested[:, 0])
+    likely = np.flatnonzero(begins)
+    rows = np.ascontiguousarray(mesh.vertices[mesh.faces[likely]].reshape(-1, 9))
+    return {row.tobytes(): int(face) for row, face in zip(rows, likely, strict=True)}
 
 
 def _triple(values: Floats) -> tuple[float, float, float]:

@@ -1,5 +1,7 @@
 """How does a small tree look as the sheet draws one: nodes above, face indices below?"""
 
+from collections.abc import Iterable
+
 import numpy as np
 
 from grader.counterexample.explain import Setting
@@ -21,7 +23,8 @@ def tree_table(expected: Bvh, got: Bvh) -> NodeTable:
         for node in range(MOST_NODES)
         if is_used(expected, node) or is_used(got, node)
     )
-    return NodeTable(columns, order_of(expected), order_of(got), _first(expected, got, columns))
+    first = first_difference(expected, got, [column.node for column in columns])
+    return NodeTable(columns, order_of(expected), order_of(got), first)
 
 
 def path_table(setting: Setting, rays: Rays, lost_at: int) -> NodeTable:
@@ -66,15 +69,20 @@ def order_of(tree: Bvh) -> str:
     return " ".join(words)
 
 
-def _first(expected: Bvh, got: Bvh, columns: tuple[Column, ...]) -> int:
-    """Find the first node whose range, box or set of faces differs; -1 if none does."""
-    for place, column in enumerate(columns):
-        if column.expected != column.got or _differs(expected, got, column.node):
+def first_difference(expected: Bvh, got: Bvh, nodes: Iterable[int]) -> int:
+    """Return the place of the first node that is not the same in both; -1 if all are."""
+    for place, node in enumerate(nodes):
+        if _differs(expected, got, node):
             return place
     return -1
 
 
 def _differs(one: Bvh, other: Bvh, node: int) -> bool:
+    """Compare a node's range, box and set of faces."""
+    if range_of(one, node) != range_of(other, node):
+        return True
+    if not is_used(one, node):
+        return False
     boxes = (one.low[node] != other.low[node]) | (one.high[node] != other.high[node])
     mine, yours = (
         sorted(tree.order[tree.begin[node] : tree.end[node]].tolist()) for tree in (one, other)

@@ -12,10 +12,11 @@ import numpy as np
 from grader.counterexample.describe import explanation
 from grader.counterexample.explain import Setting
 from grader.counterexample.shown import (
+    MOST_BOXES,
     boxes,
     faces_of,
-    is_readable,
     loose_node,
+    right_box,
     with_ray,
 )
 from grader.gallery.coarse import coarsened
@@ -30,7 +31,6 @@ from grader.run.job import Job
 from grader.run.session import Allowance, Engine, run_job
 from grader.run.transfer import on_tree, record
 from grader.verify.images import wrong_pixels
-from grader.verify.tree import spans
 
 MOST_FACES = 20_000
 """Faces of a scene's mesh that a report carries: about 120 kB."""
@@ -100,12 +100,10 @@ def _coarse(place: Hung, mesh: Mesh) -> tuple[Mesh, Integers]:
 
 def _loose(mesh: Mesh, tree: Bvh) -> Loose:
     """Return the first node whose box is not right, its right box and its faces."""
-    node = loose_node(mesh, tree) if is_readable(mesh, tree) else -1
-    if node < 0 or node >= len(boxes(tree)[0]):
+    node = loose_node(mesh, tree)
+    if not 0 <= node < MOST_BOXES:
         return NOTHING_LOOSE
-    true = spans(mesh, tree)
-    box = tuple(map(float, (*true.low[node], *true.high[node])))
-    return node, box, faces_of(mesh, tree, node)
+    return node, right_box(mesh, tree, node), faces_of(mesh, tree, node)
 
 
 def _wrong_ray(case: ImageCase, engine: Engine, allowed: Allowance) -> ShownRay | None:

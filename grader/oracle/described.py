@@ -4,18 +4,15 @@ Strict, as the rubric is: a misspelt key that is silently ignored would show ano
 """
 
 import re
-import tomllib
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
-from grader.errors import UsageError
 from grader.model.grade import VISIBILITIES
 from grader.model.scene import Camera, Scene
 from grader.oracle.generated import GENERATED, MOST_FACES
 from grader.resources import scenes_folder
-from grader.table import Table
+from grader.table import Table, read_table
 
 FILE = "scenes.toml"
 FARTHEST = 1e3
@@ -23,7 +20,6 @@ FARTHEST = 1e3
 
 SMALLEST_PICTURE, LARGEST_PICTURE = 16, 1024
 LEAST_WEIGHT, MOST_WEIGHT = 0.01, 100
-LARGEST_FILE = 2**20
 NAME = re.compile(r"[a-z0-9][a-z0-9-]{0,39}")
 SCENE_KEYS = ("name", "title", "mesh", "width", "height", "camera", "light", "albedo")
 
@@ -78,7 +74,7 @@ def described(folder: Path | None = None) -> Described:
     shipped = scenes_folder()
     own = folder is not None and folder.resolve() != shipped.resolve()
     path = (folder or shipped) / FILE
-    root = Table(str(path), _read(path))
+    root, _ = read_table(path, f"the {FILE} of a folder of scenes")
     root.only("mesh", "scene")
     meshes = tuple(_mesh(table, str(path)) for table in _once(root, "mesh"))
     taken = [scene.name for scene in described().scenes] if own else []
@@ -86,24 +82,6 @@ def described(folder: Path | None = None) -> Described:
         _scene(table, [mesh.name for mesh in meshes]) for table in _once(root, "scene", taken)
     )
     return Described(meshes, scenes)
-
-
-def _read(path: Path) -> dict[str, Any]:
-    """Read a TOML file."""
-    try:
-        with path.open("rb") as file:
-            content = file.read(LARGEST_FILE + 1)
-        if len(content) > LARGEST_FILE:
-            raise UsageError(f"{path}: more than 1 MiB, but scenes are described in short")
-        return tomllib.loads(content.decode("utf-8"))
-    except OSError as fault:
-        raise UsageError(
-            f"{path}: {fault.strerror}, but a folder of scenes has a file {FILE}"
-        ) from fault
-    except (UnicodeDecodeError, RecursionError) as fault:
-        raise UsageError(f"{path}: not a text in UTF-8, but scenes are TOML") from fault
-    except ValueError as fault:
-        raise UsageError(f"{path}: not valid TOML: {fault}") from fault
 
 
 def _once(root: Table, key: str, taken: Iterable[str] = ()) -> list[Table]:

@@ -175,11 +175,11 @@ def image_trials(
     here = scenes(folder)
     meshes = {scene.mesh: load_mesh(scene.mesh, folder) for scene in here}
     built = dict(zip(meshes, trees(tuple(meshes.values())), strict=True))
-    return [_trial(scene, meshes[scene.mesh], built[scene.mesh], folder) for scene in here]
+    return [image_trial(scene, meshes[scene.mesh], built[scene.mesh], folder) for scene in here]
 
 
-def _trial(scene: Scene, mesh: Mesh, tree: Bvh, folder: Path | None) -> ImageTrial:
-    """Prepare one picture."""
+def image_trial(scene: Scene, mesh: Mesh, tree: Bvh, folder: Path | None = None) -> ImageTrial:
+    """Prepare one picture, as `image_trials` does."""
     picture = usable_reference(scene, mesh, folder)
     found = picture_answers(answers_path(scene.name, folder), mesh, tree, picture)
     require_agreement(scene.name, found, picture.t)

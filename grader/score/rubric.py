@@ -4,13 +4,10 @@ Strict on purpose: a misspelt key that is silently ignored would move points of 
 """
 
 import hashlib
-import tomllib
 from collections.abc import Iterable
 from dataclasses import fields
 from pathlib import Path
-from typing import Any
 
-from grader.errors import UsageError
 from grader.model.grade import (
     VISIBILITIES,
     CompileLimits,
@@ -19,7 +16,7 @@ from grader.model.grade import (
     Rubric,
 )
 from grader.model.stages import PARTS
-from grader.table import Table
+from grader.table import Table, read_table
 
 SHIPPED = Path(__file__).with_name("rubric.toml")
 """The exercise sheet's rubric; it also says which checks exist and of which part each is."""
@@ -28,7 +25,6 @@ BOTH = "both"
 """Part of a gate that stands before both parts."""
 
 LEAF_RULES = ("sheet", "full-levels")
-_LARGEST_FILE = 2**20
 
 
 def load_rubric(path: Path | None = None) -> Rubric:
@@ -58,19 +54,8 @@ def load_rubric(path: Path | None = None) -> Rubric:
 
 
 def _read(path: Path) -> tuple[Table, str]:
-    try:
-        with path.open("rb") as file:
-            content = file.read(_LARGEST_FILE + 1)
-        if len(content) > _LARGEST_FILE:
-            raise UsageError(f"{path}: more than 1 MiB, but a rubric is a short TOML file")
-        values: dict[str, Any] = tomllib.loads(content.decode("utf-8"))
-    except OSError as fault:
-        raise UsageError(f"{path}: {fault.strerror}, but a rubric is expected there") from fault
-    except (UnicodeDecodeError, RecursionError) as fault:
-        raise UsageError(f"{path}: not a text in UTF-8, but a rubric is TOML") from fault
-    except ValueError as fault:
-        raise UsageError(f"{path}: not valid TOML: {fault}") from fault
-    return Table(str(path), values), hashlib.sha256(content).hexdigest()
+    root, content = read_table(path, "a rubric")
+    return root, hashlib.sha256(content).hexdigest()
 
 
 def _scenes(root: Table, beside: Path) -> Path | None:

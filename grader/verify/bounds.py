@@ -1,6 +1,7 @@
 """Are the boxes right, and does memory stay in bounds?"""
 
 from grader.model.cases import MemoryCase, TreeCase
+from grader.model.mesh import Bvh, Integers, Mask, Mesh
 from grader.model.stages import Stop
 from grader.model.verdict import Evidence, Example
 from grader.verify.check import check, judged, one, vector
@@ -17,9 +18,7 @@ def boxes_are_tight(case: TreeCase) -> Evidence:
     Source: exercise sheet, part a, "Compute their bounding boxes".
     """
     bvh, true = case.bvh, spans(case.trial.mesh, case.bvh)
-    used = shape(bvh).reached[1:]
-    used = used[bvh.begin[used] < bvh.end[used]]
-    wrong = on_any_axis((bvh.low != true.low) | (bvh.high != true.high))[used]
+    used, wrong = _below_the_root(case.trial.mesh, bvh)
 
     def describe(k: int) -> Example:
         node = used[k]
@@ -29,6 +28,19 @@ def boxes_are_tight(case: TreeCase) -> Evidence:
         return Example(text, wanted, got)
 
     return judged(wrong, describe)
+
+
+def loose_nodes(mesh: Mesh, bvh: Bvh) -> Integers:
+    """Return (K,) int64, the nodes that `boxes_are_tight` finds wrong; the tree is readable."""
+    used, wrong = _below_the_root(mesh, bvh)
+    return used[wrong]
+
+
+def _below_the_root(mesh: Mesh, bvh: Bvh) -> tuple[Integers, Mask]:
+    """Return (K,) int64 used nodes, and (K,) bool, True where a box is not its faces' box."""
+    true, used = spans(mesh, bvh), shape(bvh).reached[1:]
+    used = used[bvh.begin[used] < bvh.end[used]]
+    return used, on_any_axis((bvh.low != true.low) | (bvh.high != true.high))[used]
 
 
 @check(MemoryCase, "bvh.memory-is-safe", when=calls_construct)

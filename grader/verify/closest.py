@@ -89,3 +89,10 @@ def _nearest(ray: Integers, near: Mask, distance: Doubles, rays: int) -> Integer
     nearest = np.full(rays, -1, dtype=np.int64)
     nearest[ray[descending]] = descending
     return nearest
+
+
+def closest_sure(answers: Answers, ray: int) -> int:
+    """Return the candidate that a ray surely hits first; -1 if it surely hits nothing."""
+    start, stop = answers.first[ray], answers.first[ray + 1]
+    solid = start + np.flatnonzero(answers.kind[start:stop] == SOLID)
+    return int(solid[np.argmin(answers.t[solid])]) if solid.size else -1

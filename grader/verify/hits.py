@@ -6,12 +6,12 @@ Rays are judged by the rule of closest hits (`closest.py`); the answers come wit
 import numpy as np
 
 from grader.model.cases import HitCase, RepeatCase
-from grader.model.mesh import SOLID, Answers, Hits, Mask, Rays
+from grader.model.mesh import Answers, Hits, Mask, Rays
 from grader.model.trials import TraceTrial
 from grader.model.verdict import Evidence, Example
 from grader.tolerances import EPSILON, UNIT_LENGTH
 from grader.verify.check import MAX_EXAMPLES, check, judged, vector
-from grader.verify.closest import Judgement, is_ambiguous, judge, owners
+from grader.verify.closest import Judgement, closest_sure, is_ambiguous, judge, owners
 from grader.verify.shading import normal_errors, point_errors
 
 USES_THE_TREE = ("work.uses-the-tree",)
@@ -187,11 +187,9 @@ def _wrong_ray(case: HitCase, judgement: Judgement, ray: int) -> Example:
 
 def _closest(answers: Answers, ray: int) -> tuple[int, np.float32]:
     """Return face and t of the closest sure hit; face -1 if there is none."""
-    start, stop = answers.first[ray], answers.first[ray + 1]
-    solid = start + np.flatnonzero(answers.kind[start:stop] == SOLID)
-    if solid.size == 0:
+    nearest = closest_sure(answers, ray)
+    if nearest < 0:
         return -1, np.float32(np.inf)
-    nearest = solid[np.argmin(answers.t[solid])]
     return int(answers.face[nearest]), np.float32(answers.t[nearest])
 
 

@@ -3,11 +3,11 @@
 import numpy as np
 
 from grader.model.cases import ImageCase
-from grader.model.mesh import SOLID, Answers, Doubles, Mask
+from grader.model.mesh import Answers, Doubles, Mask
 from grader.model.verdict import Evidence, Example
 from grader.tolerances import PICTURE_PIXELS, PICTURE_RELATIVE, PICTURE_SHARE
 from grader.verify.check import check, judged
-from grader.verify.closest import Judgement, judge
+from grader.verify.closest import Judgement, closest_sure, judge
 
 
 @check(ImageCase, "image.equals-mitsuba", needs=("work.uses-the-tree",))
@@ -81,9 +81,7 @@ def _example(case: ImageCase, judgement: Judgement, pixel: int) -> Example:
 
 def _closest(answers: Answers, pixel: int) -> str:
     """Name the surface that a ray surely hits first."""
-    start, stop = answers.first[pixel], answers.first[pixel + 1]
-    solid = start + np.flatnonzero(answers.kind[start:stop] == SOLID)
-    nearest = solid[np.argmin(answers.t[solid])]
+    nearest = closest_sure(answers, pixel)
     return f"face {answers.face[nearest]} at t = {np.float32(answers.t[nearest]):.9g}"
 
 
