@@ -11,6 +11,7 @@ VIEWS = "views.json"
 """What can be seen of the submission: `report.html` is made from it and from the result."""
 
 PAGE = "report.html"
+CLASS_PAGE = "class.html"
 STORE = "batch.sqlite"
 """A folder with this file holds the results of a class, and is nobody's submission."""
 

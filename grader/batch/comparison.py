@@ -49,7 +49,7 @@ def compared(before: Json, after: Json) -> Change | None:
     names = list(dict.fromkeys([*old, *new]))
     checks = [_check(name, old.get(name), new.get(name)) for name in names]
     changed = tuple(one for one in checks if one.before != one.after)
-    first, then = _points(before), _points(after)
+    first, then = points(before), points(after)
     return Change(first, then, changed) if changed or first != then else None
 
 
@@ -109,7 +109,8 @@ def _worded(check: Json | None) -> str:
     return f"{check['verdict']} {score} of {check['max_score']:g}"
 
 
-def _points(result: Json) -> str:
+def points(result: Json) -> str:
+    """Word the points of a result, or that they are withheld."""
     score = "withheld" if result["score"] is None else f"{result['score']:g}"
     return f"{score} of {result['max_score']:g}"
 

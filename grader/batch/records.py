@@ -1,4 +1,4 @@
-"""What is known of a student, and what is kept of a grade?"""
+"""What is known of a student?"""
 
 from dataclasses import dataclass
 
@@ -35,14 +35,3 @@ class Student:
         if self.sha256 is None or self.path is None:
             return Rejected(self.name, self.reason or self.fault)
         return Submission(self.name, self.path, source, self.sha256)
-
-
-@dataclass(frozen=True, slots=True)
-class Result:
-    """What is kept of a grade."""
-
-    text: str
-    """Of `result.json`, with the name of whoever came first."""
-
-    attachments: tuple[tuple[str, str], ...]
-    """Name and text of each further file, relative to `result.json`."""

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import grader
 from grader.errors import UsageError
+from grader.identity import WITHOUT_RESULT, grader_digest
 from grader.options import Options
 from grader.oracle.scenes import scenes_sha256
 from grader.pipeline import isolation_of
@@ -44,6 +45,9 @@ class Settings:
     """Two submissions with the same bytes and the same of this get the same grade."""
 
     grader: str
+    """Version, and a digest of all that a result depends on: whoever works on the grader, or
+    gets another compiler, gets other results with the same version."""
+
     rubric_sha256: str
     scenes_sha256: str
     seed: int
@@ -88,11 +92,11 @@ def settled(wish: Wish) -> Settings:
         UsageError: The rubric is wrong.
         MissingTool: Nothing here isolates a submission.
     """
-    options = wish.options()
+    options, rubric = wish.options(), select(wish.rubric, ()).rubric
     return Settings(
-        grader.__version__,
-        select(wish.rubric, ()).rubric.sha256,
-        scenes_sha256(),
+        f"{grader.__version__} ({grader_digest(WITHOUT_RESULT)})",
+        rubric.sha256,
+        scenes_sha256(rubric.scenes),
         wish.seed,
         isolation_of(options).level.value,
         wish.time_limit,

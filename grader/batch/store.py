@@ -15,8 +15,9 @@ from pathlib import Path
 from typing import Any
 
 from grader.batch.base import opened_base, written
-from grader.batch.records import Result, Student
+from grader.batch.records import Student
 from grader.batch.settings import Settings, read_settings
+from grader.kept import Result
 
 
 class Store:

@@ -9,13 +9,12 @@ from grader.batch.files import Results
 from grader.batch.job import Job
 from grader.batch.records import Student
 from grader.batch.store import Store
-from grader.output import PAGE, STUDENTS, write_whole
+from grader.output import CLASS_PAGE, PAGE, STUDENTS, write_whole
 from grader.report.class_row import Row, row_of
 from grader.report.escape import for_csv
 from grader.report.html.classroom import to_class_page
 
 CLASS = "class.csv"
-CLASS_PAGE = "class.html"
 
 COLUMNS = ("name", "id", "email", "folder", "score", "max_score", "needs_review", "note")
 LONGEST_NOTE = 300

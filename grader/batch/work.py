@@ -4,12 +4,10 @@ import traceback
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
-from grader.batch.records import Result
 from grader.batch.settings import Wish
 from grader.errors import GraderError
-from grader.model.grade import Grade
+from grader.kept import Result, kept
 from grader.model.stages import Rejected, Submission
-from grader.output import VIEWS
 from grader.pipeline import grade_located
 from grader.plain import printable
 
@@ -56,20 +54,3 @@ def graded(order: Order, tell: Callable[[str], None]) -> Result | Failed:
         return Failed(str(fault))
     except Exception as fault:  # noqa: BLE001 - one submission must not end the class
         return Failed(printable("".join(traceback.format_exception(fault)), LONGEST_FAULT))
-
-
-def kept(grade: Grade) -> Result:
-    """Write down all that is known of a grade; pages are made from this, at any time."""
-    from grader.counterexample.written import to_text as counterexample
-    from grader.report.as_json import to_text
-    from grader.report.facts import counterexample_file
-    from grader.report.views import to_text as views_text
-
-    files = tuple(
-        (counterexample_file(score), counterexample(score.counterexample))
-        for score in grade.checks
-        if score.counterexample is not None
-    )
-    if grade.views is not None:
-        files = (*files, (VIEWS, views_text(grade.views)))
-    return Result(to_text(grade), files)

@@ -4,25 +4,15 @@ A ledger is a file of JSON lines that is only appended to, so that a killed run 
 was. A line belongs to one state of everything that a verdict depends on.
 """
 
-import hashlib
 import json
-from collections.abc import Collection, Iterator
+from collections.abc import Iterator
 from dataclasses import asdict, fields
 from pathlib import Path
 from typing import Any
 
 from grader import resources
-from grader.build.compiler import find_compiler
 from grader.certify.fates import Studied
 from grader.certify.row import Row
-
-WITHOUT_VERDICT = ("certify", "cli", "counterexample", "diagnose", "report", "__pycache__")
-"""Folders of the package that decide nothing."""
-
-WITHOUT_SIZES = tuple(each for each in WITHOUT_VERDICT if each != "counterexample")
-"""Folders that do not decide how small a counterexample is either."""
-
-_ENDINGS = {".py", ".toml", ".txt", ".cpp", ".h", ".npz", ".exr", ".answers", ".obj"}
 
 
 class Ledger:
@@ -84,29 +74,3 @@ class Ledger:
 def usual_ledger() -> Path:
     """Where results are kept."""
     return resources.private_cache("certify") / "rows.jsonl"
-
-
-def grader_digest(without: Collection[str] = WITHOUT_VERDICT) -> str:
-    """Digest of all that a verdict depends on: the grader, the exercise and the compiler.
-
-    Args:
-        without: Folders of the package that do not matter.
-    """
-    package = Path(resources.__file__).parent
-    folders = [package, resources.stub_folder(), resources.scenes_folder()]
-    files = [
-        resources.reference_source(),
-        *(file for each in folders for file in _files(each, without)),
-    ]
-    digest = hashlib.sha256(find_compiler().title.encode())
-    for path in files:
-        digest.update(f"{path.name}\0".encode() + hashlib.sha256(path.read_bytes()).digest())
-    return digest.hexdigest()[:16]
-
-
-def _files(folder: Path, without: Collection[str]) -> Iterator[Path]:
-    for path in sorted(folder.rglob("*")):
-        inside = path.relative_to(folder).parts
-        skipped = inside[0] in {*without, "build", "data"}
-        if path.is_file() and path.suffix in _ENDINGS and not skipped:
-            yield path

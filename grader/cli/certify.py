@@ -122,9 +122,10 @@ def graded_rows(
     **_: Any,  # noqa: ANN401 - the other options
 ) -> "list[Row]":
     """Grade what is missing, show each row as it comes in, and then all of them."""
-    from grader.certify.ledger import Ledger, grader_digest, usual_ledger
+    from grader.certify.ledger import Ledger, usual_ledger
     from grader.certify.matrix import SEED
     from grader.certify.run import Work, certified_rows
+    from grader.identity import grader_digest
 
     def tell(row: "Row") -> None:
         marks = [*row.failed, *(f"BROKEN {line_for_terminal(each)}" for each in row.broken)]
@@ -140,9 +141,9 @@ def graded_rows(
 def keep(rows: "Sequence[Row]", found: "Sequence[Hole]", whole: bool) -> None:
     """Store the decided rows of the matrix's seed, and the sum of a run over everything."""
     from grader.certify.corpus import every_submission, name_of
-    from grader.certify.ledger import grader_digest
     from grader.certify.matrix import SEED, store
     from grader.certify.seeds import store_tried, tried
+    from grader.identity import grader_digest
 
     decided = [row for row in rows if row.seed == SEED and not row.broken]
     store(decided, [name_of(path) for path in every_submission()])

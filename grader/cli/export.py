@@ -1,6 +1,7 @@
 """The command that brings results into a course's gradebook."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -66,9 +67,13 @@ def exported(host: str, folder: Path, sheet: Path | None, given: Mapping[str, An
     from grader.gradebook.fill import filled
     from grader.gradebook.results import results_in
     from grader.gradebook.scratch import made
+    from grader.report.spoken import in_language
 
-    results = results_in(folder)
-    words = translator(given["language"] or usual_language())
+    language = given["language"] or usual_language()
+    words = translator(language)
+    results = [
+        replace(each, result=in_language(each.result, language)) for each in results_in(folder)
+    ]
     asked = Asked(given["grade_column"], given["feedback_column"], given["id_column"])
     if sheet is None:
         return made(host, results, words)

@@ -39,8 +39,9 @@ def ready_for(folder: Path, formats: Iterable[str]) -> list[Destination]:
 def write_formats(paths: Iterable[Destination], result: Grade, language: str) -> None:
     """Write every file of the formats that were asked for."""
     from grader.report.as_json import to_text
+    from grader.report.spoken import in_language
 
     # What lies in result.json, no more: whoever starts from there gets the same files.
-    told = json.loads(to_text(result))
+    told = in_language(json.loads(to_text(result)), language)
     for path, written in paths:
         write_whole(path, written.write(told, translator(language)))

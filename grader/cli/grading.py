@@ -21,7 +21,7 @@ from grader.cli.options import (
     time_option,
     unsafe_option,
 )
-from grader.cli.output import patient_stdout, stored
+from grader.cli.output import patient_stdout
 from grader.cli.progress import shown_progress
 from grader.cli.replaying import replayed
 from grader.cli.status import FULL_MARKS, LOST_POINTS, OUR_FAULT
@@ -194,6 +194,13 @@ def graded(order: Order) -> Grade:
             views=order.views,
         )
         return grade_one(order.path, options)
+
+
+def stored(folder: Path, result: Grade, language: str) -> Path:
+    """Write a result with everything that belongs to it, and say where the report lies."""
+    from grader.kept import kept, write_result
+
+    return write_result(folder, kept(result), language)
 
 
 def report(result: Grade, order: Order, written: Path) -> None:

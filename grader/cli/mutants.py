@@ -15,10 +15,11 @@ if TYPE_CHECKING:
 def study(match: str, mutants: int, seed: int, jobs: int, **_: Any) -> bool:  # noqa: ANN401 - the other options
     """Study mutants, store and tell what became of them; True if one survived unexplained."""
     from grader.certify.fates import counts_of, store_counts
-    from grader.certify.ledger import Ledger, grader_digest, usual_ledger
+    from grader.certify.ledger import Ledger, usual_ledger
     from grader.certify.matrix import SEED
     from grader.certify.mutants import chosen_mutants
     from grader.certify.run import MutantWork, studied_mutants
+    from grader.identity import grader_digest
 
     chosen = chosen_mutants(mutants, seed, match)
     if not chosen:

@@ -7,15 +7,13 @@ from typing import TYPE_CHECKING
 import click
 
 from grader.cli.options import language_option
-from grader.cli.output import store_page
 from grader.language import usual_language
-from grader.output import PAGE, RESULT, VIEWS, write_whole
+from grader.output import CLASS_PAGE, PAGE, RESULT, VIEWS, write_whole
 from grader.report.escape import line_for_terminal
 
 if TYPE_CHECKING:
     from grader.report.class_row import Row
 
-CLASS = "class.html"
 LARGEST_VIEWS = 8 << 20
 """Bytes of a `views.json`; what the grader writes has less than a tenth of that."""
 
@@ -41,7 +39,7 @@ def report(folder: Path, language: str | None) -> None:
         click.echo(f"written: {line_for_terminal(str(folder / PAGE))}")
         return
     write_class(folder, rows, spoken)
-    name = line_for_terminal(str(folder / CLASS))
+    name = line_for_terminal(str(folder / CLASS_PAGE))
     click.echo(f"written: {name}, and the reports of {len(rows)} submissions")
 
 
@@ -53,12 +51,13 @@ def page_of(path: Path, folder: Path, language: str) -> "Row":
         OutputFault: The page cannot be written.
     """
     from grader.gradebook.results import read_json, read_result
+    from grader.kept import write_page
     from grader.report.class_row import row_of
     from grader.report.views import SCHEMA_VERSION
 
     result, views = read_result(path), path.with_name(VIEWS)
     seen = read_json(views, LARGEST_VIEWS, SCHEMA_VERSION) if views.is_file() else None
-    page = store_page(path.parent, result, seen, language)
+    page = write_page(path.parent, result, seen, language)
     return row_of(result, page.relative_to(folder).as_posix())
 
 
@@ -72,4 +71,4 @@ def write_class(folder: Path, rows: Sequence["Row"], language: str) -> None:
     from grader.report.html.classroom import to_class_page
 
     page = to_class_page(rows, f"bvhgrade {__version__}", language)
-    write_whole(folder / CLASS, page)
+    write_whole(folder / CLASS_PAGE, page)

@@ -15,8 +15,9 @@ if TYPE_CHECKING:
 def search(match: str, jobs: int, **_: Any) -> bool:  # noqa: ANN401 - the other options
     """Search wrong submissions, store the sizes; True if one could not be graded."""
     from grader.certify.corpus import every_submission, name_of, wrong_submissions
-    from grader.certify.ledger import WITHOUT_SIZES, Ledger, grader_digest, usual_ledger
+    from grader.certify.ledger import Ledger, usual_ledger
     from grader.certify.smallest import searched, store_smallest
+    from grader.identity import WITHOUT_SIZES, grader_digest
 
     paths = [one.path for one in wrong_submissions() if match in name_of(one.path)]
     if not paths:

@@ -29,6 +29,7 @@ def verify(result: Path, submission: Path, **given: Any) -> None:  # noqa: ANN40
 
     Exit status: 0 reproduced, 1 something differs, 2 wrong usage, 3 the grader failed.
     """
+    from grader.batch.comparison import points
     from grader.gradebook.results import read_result
     from grader.report.as_json import to_json
 
@@ -37,7 +38,7 @@ def verify(result: Path, submission: Path, **given: Any) -> None:  # noqa: ANN40
     order = ordered(submission, {**given, "seed": seed, "language": "en"})
     grade = graded(replace(order, views=False))
     found = differences(stored, to_json(grade))
-    for line in found or [f"reproduced: {stored['score']} of {stored['max_score']}"]:
+    for line in found or [f"reproduced: {points(stored)}"]:
         click.echo(line_for_terminal(line))
     if is_withheld(grade):
         raise Exit(OUR_FAULT)

@@ -19,12 +19,11 @@ from pathlib import Path
 from typing import Any
 
 from grader.errors import UsageError
-from grader.output import STORE, STUDENT, STUDENTS
+from grader.output import RESULT, STORE, STUDENT, STUDENTS
 from grader.plain import one_line
 from grader.report.as_json import SCHEMA_VERSION, Json, schema_text
 from grader.report.escape import LARGEST_JSON
 
-RESULT = "result.json"
 LARGEST_NAMES = 1 << 16
 """Bytes of a file that says whose folder it is."""
 
@@ -137,10 +136,10 @@ def read_result(path: Path) -> Json:
     Raises:
         UsageError: It cannot be read, or is not what the grader writes.
     """
-    value = read_json(path, LARGEST_JSON, SCHEMA_VERSION)
     from jsonschema import Draft202012Validator
     from jsonschema.exceptions import best_match
 
+    value = read_json(path, LARGEST_JSON, SCHEMA_VERSION)
     fault = best_match(Draft202012Validator(json.loads(schema_text())).iter_errors(value))
     if fault is not None:
         # Not its message, which quotes a whole value.

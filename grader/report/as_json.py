@@ -123,7 +123,7 @@ def counterexample(score: CheckScore) -> Json | None:
     found = score.counterexample
     if found is None:
         return None
-    return {"faces": found.faces, "rays": found.rays, "file": counterexample_file(score)}
+    return {"faces": found.faces, "rays": found.rays, "file": counterexample_file(score.check)}
 
 
 def build(grade: Grade) -> Json:

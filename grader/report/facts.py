@@ -53,9 +53,9 @@ def not_started(part: PartScore) -> str:
     return NOT_STARTED.format(part=part.part, function=function)
 
 
-def counterexample_file(score: CheckScore) -> str:
+def counterexample_file(check: str) -> str:
     """Name the file of a check's counterexample, relative to `result.json`."""
-    return f"{FOLDER}/{score.check}.json"
+    return f"{FOLDER}/{check}.json"
 
 
 def size_of(found: "Counterexample") -> str:

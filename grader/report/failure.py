@@ -70,7 +70,7 @@ def explain(sheet: Sheet, grade: Grade, score: CheckScore, occasion: Occasion) -
     if occasion.command and score.visibility == "visible":
         sheet.command("again", f"{occasion.command} --only {score.check}")
         if score.counterexample is not None and occasion.written is not None:
-            file = occasion.written.parent / counterexample_file(score)
+            file = occasion.written.parent / counterexample_file(score.check)
             sheet.command("replay", f"{occasion.command} --replay {shlex.quote(str(file))}")
 
 

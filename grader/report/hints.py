@@ -50,6 +50,15 @@ def misconception(cause: str) -> tuple[str, str, str]:
     return (found[1], found[2], found[3]) if found else (cause, "", "")
 
 
+def cause_in(hint: str, words: Words) -> str:
+    """Tell in a language what `likely_cause` wrote in English."""
+    sentence, fits, places = misconception(hint)
+    if not places:
+        return words(hint)
+    share = words("This explains {fits} of {places} places.").format(fits=fits, places=places)
+    return f"{words(sentence)} {share}"
+
+
 def hints(score: CheckScore, step: int, words: Words = str) -> list[tuple[str, str]]:
     """Choose what is said about a failure, each with its label.
 

@@ -14,9 +14,9 @@ from dataclasses import replace
 from pathlib import Path
 
 from grader.batch.job import Job
-from grader.batch.records import Result
 from grader.batch.settings import Settings, Wish
-from grader.batch.work import Failed, Order, kept
+from grader.batch.work import Failed, Order
+from grader.kept import Result, kept
 from grader.model.stages import Submission
 from tests.report import samples
 

@@ -7,11 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from grader.batch import files
-from grader.batch.records import Result
 from grader.batch.store import Store, opened_store
 from grader.errors import OutputFault, UsageError
 from grader.intake.handed_in import handed_in
+from grader.kept import Result
 from grader.report.as_json import to_text
 from tests.batch.classes import CODE, folder_of, grade, points, results, zip_of
 from tests.batch.stand_in import SETTINGS, begun, job
@@ -197,14 +196,6 @@ def test_an_archive_that_breaks_its_reader_stops_nobody(
     path = folder_of(tmp_path, "class", {"ada.cpp": CODE, "bob.cpp": "b"})
     totals, _ = grade(path, job(tmp_path / "out"))
     assert (totals.graded, totals.withheld) == (1, 1)
-
-
-def test_attachments_of_an_earlier_result_are_removed(tmp_path: Path) -> None:
-    """A counterexample that no check names would only mislead."""
-    files.write_folder(tmp_path / "a", Result(TEXT, (("counterexamples/x.json", "{}"),)), "en")
-    files.write_folder(tmp_path / "a", Result(TEXT, (("counterexamples/y.json", "{}"),)), "en")
-    left = [path.name for path in (tmp_path / "a/counterexamples").iterdir()]
-    assert left == ["y.json"]
 
 
 def test_a_second_batch_is_kept_away(tmp_path: Path) -> None:

@@ -132,6 +132,15 @@ def test_every_format_is_written_beside_the_result(pipeline: Pipeline) -> None:
     assert {each.name for each in Path("plain").iterdir()} == always
 
 
+def test_a_format_is_written_in_the_language_that_was_asked_for(pipeline: Pipeline) -> None:
+    """Of the command line, with the words of the checks."""
+    pipeline.answer = samples.failing
+    call("grade", FILE, "-o", "out", "--format", "junit", "--language", "de")
+    german = Path("out/junit.xml").read_text()
+    assert "erwartet: " in german
+    assert "expected: " not in german
+
+
 def test_a_withheld_score_is_written_too(pipeline: Pipeline) -> None:
     """The status says that it is our fault; the host gets its file all the same."""
     pipeline.answer = samples.broken

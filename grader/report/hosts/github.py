@@ -27,6 +27,7 @@ from grader.report.escape import (
     for_workflow_property,
     line_for_terminal,
 )
+from grader.report.facts import FILE
 from grader.report.hosts.told import (
     Entry,
     entries,
@@ -36,8 +37,6 @@ from grader.report.hosts.told import (
     worst_first,
     worth,
 )
-
-FILE = "src/exercise03.cpp"
 
 MOST_ANNOTATIONS = 10
 """Of each kind in a step; GitHub drops the rest without a word."""

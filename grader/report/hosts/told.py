@@ -5,19 +5,17 @@ date: their points belong to the sum, and nothing else of them is told. A fault 
 told in one fixed sentence, since its message is a traceback for a maintainer.
 """
 
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
 from grader.language import Words
 from grader.report.as_json import Json
+from grader.report.hints import cause_in, misconception
 
 VISIBLE = "visible"
 
 NOT_SHOWN = "checks.not-shown"
 """Id of the entry for everything that is not shown."""
-
-_SHARE = re.compile(r"(.*) This explains ([\d,]+) of ([\d,]+) places\.", re.DOTALL)
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,7 +66,7 @@ def entry_of(check: Json, secret: set[str], words: Words) -> Entry:
         check["score"],
         check["max_score"],
         "\n".join(explained(check, secret, words)),
-        split_hint(check["hint"])[0] if check["verdict"] == "fail" else "",
+        misconception(check["hint"])[0] if check["verdict"] == "fail" else "",
         check["visibility"],
         check["stop"],
         (place and place["line"]) or 0,
@@ -120,7 +118,7 @@ def failure(check: Json, words: Words) -> Iterator[str]:
     if check["location"] is not None:
         yield f"{words('look at')}: {where(check['location'], words)}"
     if check["hint"]:
-        yield f"{words('cause')}: {hint(check['hint'], words)}"
+        yield f"{words('cause')}: {cause_in(check['hint'], words)}"
 
 
 def where(location: Json, words: Words) -> str:
@@ -129,21 +127,6 @@ def where(location: Json, words: Words) -> str:
     if not location["function"]:
         return place
     return words("{place} in {function}").format(place=place, function=location["function"])
-
-
-def split_hint(text: str) -> tuple[str, tuple[str, str] | None]:
-    """Take a likely cause apart: its sentence, and how many of how many places it explains."""
-    found = _SHARE.fullmatch(text)
-    return (found[1], (found[2], found[3])) if found else (text, None)
-
-
-def hint(text: str, words: Words) -> str:
-    """Word the likely cause of a failure in a language."""
-    sentence, share = split_hint(text)
-    if share is None:
-        return words(sentence)
-    told = words("This explains {fits} of {places} places.")
-    return f"{words(sentence)} {told.format(fits=share[0], places=share[1])}"
 
 
 def worst_first(given: list[Entry]) -> list[Entry]:

@@ -14,9 +14,8 @@ from grader.report.class_row import (
     most_failed,
 )
 from grader.report.escape import for_csv
-from grader.report.html.page import page
+from grader.report.html.page import SIGNS, page
 
-SIGNS = {"pass": ("p", "✓"), "fail": ("f", "✗"), "blocked": ("b", "-"), "broken": ("o", "!")}
 WIDTH, HEIGHT, LEFT, BELOW, ABOVE = 760, 200, 36, 22, 10
 """Of the histogram, in pixels; and the room at its left, below and above."""
 

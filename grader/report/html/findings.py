@@ -8,7 +8,7 @@ from typing import Any
 
 from grader.language import Words
 from grader.report.facts import FILE
-from grader.report.hints import misconception, told
+from grader.report.hints import cause_in, told
 
 Json = Mapping[str, Any]
 
@@ -126,7 +126,7 @@ def _failure(check: Json, result: Json, views: Json, words: Words) -> Failure:
         happened=happened,
         where=where,
         facts=tuple(_facts(check, words)),
-        cause=cause(check["hint"], words),
+        cause=cause_in(check["hint"], words),
         hints=tuple(_hints(check["id"], words)),
         commands=tuple(_commands(check, result, words)),
         waiting=tuple(
@@ -179,15 +179,6 @@ def _place(location: Json | None, words: Words) -> str:
     return words("{place} in {function}").format(
         place=f"{location['file']}{line}", function=function
     )
-
-
-def cause(hint: str, words: Words) -> str:
-    """Translate a likely cause, and how much speaks for it."""
-    sentence, fits, places = misconception(hint)
-    if not places:
-        return words(hint)
-    share = words("This explains {fits} of {places} places.").format(fits=fits, places=places)
-    return f"{words(sentence)} {share}"
 
 
 def _hints(check: str, words: Words) -> list[tuple[str, str]]:

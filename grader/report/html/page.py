@@ -21,6 +21,15 @@ if TYPE_CHECKING:
     from jinja2 import Environment
     from markupsafe import Markup
 
+SIGNS = {
+    "pass": ("p", "✓"),
+    "fail": ("f", "✗"),
+    "blocked": ("b", "\N{EN DASH}"),
+    "broken": ("o", "!"),
+}
+"""Of each verdict: the class of its colours in `base.css`, and the sign that tells it without
+colours."""
+
 STYLES = {"class": ("base.css", "class.css"), "report": ("base.css", "report.css")}
 SCRIPTS = {
     "class": ("base.js", "class.js"),

@@ -7,13 +7,10 @@ from grader.language import Words, translator
 from grader.phrases import teller
 from grader.report.facts import FILE, FUNCTIONS, NOT_STARTED
 from grader.report.html.findings import failures, idle_parts, points, spoken
-from grader.report.html.page import page
+from grader.report.html.page import SIGNS, page
 from grader.report.html.seen import legends, models, pictures
 
 Json = Mapping[str, Any]
-
-SIGNS = {"pass": "✓", "fail": "✗", "blocked": "\N{EN DASH}", "broken": "!"}
-STYLES = {"pass": "p", "fail": "f", "blocked": "b", "broken": "o"}
 
 NOTHING: Json = {"schema": 1, "pictures": [], "models": []}
 """Views of a submission that was not run."""
@@ -120,15 +117,15 @@ def groups(result: Json, words: Words) -> list[tuple[str, list[dict[str, str]]]]
 
 
 def _line(one: Json, words: Words) -> dict[str, str]:
-    remark = ""
+    remark, (style, sign) = "", SIGNS[one["verdict"]]
     if one["verdict"] == "blocked" and one["blocked_by"]:
         remark = words("waits for {check}").format(check=one["blocked_by"])
     return {
         "id": one["id"],
         "title": words(one["title"]),
         "verdict": one["verdict"],
-        "sign": SIGNS[one["verdict"]],
-        "style": STYLES[one["verdict"]],
+        "sign": sign,
+        "style": style,
         "word": words(one["verdict"]),
         "remark": remark,
         "points": points(one["score"], one["max_score"], words),

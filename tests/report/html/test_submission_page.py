@@ -13,7 +13,8 @@ import pytest
 
 from grader.errors import OutputFault
 from grader.report.as_json import to_json
-from grader.report.html.findings import cause, failures, idle_parts, worst_first
+from grader.report.hints import cause_in
+from grader.report.html.findings import failures, idle_parts, worst_first
 from grader.report.html.page import joined
 from grader.report.html.submission import NOTHING, to_html
 from tests.report import samples
@@ -189,9 +190,11 @@ def test_a_run_without_isolation_has_a_banner() -> None:
 def test_both_sentences_of_a_cause_are_translated() -> None:
     """They stand in one field of the result."""
     words = {"A.": "B.", "This explains {fits} of {places} places.": "{fits} aus {places}"}
-    told = cause("A. This explains 1,000 of 2,000 places.", lambda text: words.get(text, text))
+    told = cause_in(
+        "A. This explains 1,000 of 2,000 places.", lambda text: words.get(text, text)
+    )
     assert told == "B. 1,000 aus 2,000"
-    assert cause("", str) == ""
+    assert cause_in("", str) == ""
 
 
 def test_the_page_speaks_german() -> None:

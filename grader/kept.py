@@ -1,0 +1,82 @@
+"""What is kept of a grade, and how does it get into a folder?
+
+Everything is written from texts, so that a result that was stored long ago leaves the same
+files as one that was just made.
+"""
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+
+from grader.errors import OutputFault
+from grader.model.grade import Grade
+from grader.output import PAGE, RESULT, VIEWS, ready, write_whole
+from grader.report.as_json import Json, to_text
+from grader.report.facts import FOLDER, counterexample_file
+
+
+@dataclass(frozen=True, slots=True)
+class Result:
+    """What is kept of a grade."""
+
+    text: str
+    """Of `result.json`."""
+
+    attachments: tuple[tuple[str, str], ...]
+    """Name and text of each further file, relative to `result.json`."""
+
+
+def kept(grade: Grade) -> Result:
+    """Write down all that is known of a grade; pages are made from this, at any time."""
+    from grader.counterexample.written import to_text as counterexample
+    from grader.report.views import to_text as views_text
+
+    files = tuple(
+        (counterexample_file(score.check), counterexample(score.counterexample))
+        for score in grade.checks
+        if score.counterexample is not None
+    )
+    if grade.views is not None:
+        files = (*files, (VIEWS, views_text(grade.views)))
+    return Result(to_text(grade), files)
+
+
+def write_result(folder: Path, result: Result, language: str) -> Path:
+    """Write a result, its attachments and its page, without those of an earlier result.
+
+    Returns:
+        Where the page lies.
+
+    Raises:
+        UsageError: The folder cannot be used.
+        OutputFault: Something could not be written.
+    """
+    told: Json = json.loads(result.text)
+    attached = dict(result.attachments)
+    names = [VIEWS, *(counterexample_file(one["id"]) for one in told["checks"])]
+    for old in (folder / name for name in names if name not in attached):
+        try:
+            if old.is_file():
+                old.unlink()
+        except OSError as fault:
+            raise OutputFault(f"{old} cannot be removed: {fault.strerror}") from fault
+    if any(name.startswith(f"{FOLDER}/") for name in attached):
+        ready(folder / FOLDER)
+    for name, text in attached.items():
+        write_whole(folder / name, text)
+    write_whole(folder / RESULT, result.text)
+    views = json.loads(attached[VIEWS]) if VIEWS in attached else None
+    return write_page(folder, told, views, language)
+
+
+def write_page(folder: Path, result: Json, views: Json | None, language: str) -> Path:
+    """Write the page of a result, and say where it lies.
+
+    Raises:
+        OutputFault: It could not be written.
+    """
+    from grader.report.html.submission import to_html
+
+    path = folder / PAGE
+    write_whole(path, to_html(result, views, language))
+    return path
