@@ -8,6 +8,7 @@ withholds the sum, so that nobody mistakes it for a grade.
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from itertools import islice
 
 from grader.model.grade import CheckScore, Criterion, PartScore, Rubric
@@ -34,7 +35,7 @@ def score_checks(
     rubric: Rubric,
     checks: Sequence[tuple[str, str]],
     findings: Sequence[Finding],
-    planned: Mapping[str, float],
+    planned: Mapping[str, Fraction | int],
     started: Collection[str],
 ) -> tuple[CheckScore, ...]:
     """Give every check of the rubric its points and its words, in the order of `checks`.
@@ -140,7 +141,7 @@ def _too_little(of: Tally, died: str | None) -> _Outcome:
     """
     if not of.planned:
         return _Outcome(Verdict.BROKEN, "the plan holds no case for this check")
-    few = f"only {len(of.every)} of {of.planned:g} cases could be examined"
+    few = f"only {len(of.every)} of {float(of.planned):g} cases could be examined"
     if died:
         return _Outcome(Verdict.BLOCKED, f"{few}, because `{died}` fails", died)
     return _Outcome(Verdict.FAIL, f"{few}: the others gave this check nothing to look at")

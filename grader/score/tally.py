@@ -30,7 +30,7 @@ class Tally:
     undecided: tuple[Finding, ...]
     """BROKEN, or blocked by something that did not fail: our own fault."""
 
-    planned: float
+    planned: Fraction | int
     """Weight of the cases that there would be if every worker had survived."""
 
     @property
@@ -41,16 +41,16 @@ class Tally:
     @property
     def suffices(self) -> bool:
         """Whether at least half of what was planned could be examined."""
-        return 2 * _weight(self.every) >= _exact(self.planned)
+        return 2 * _weight(self.every) >= self.planned
 
     @property
     def share(self) -> Fraction:
         """What is earned, from 0 to 1; the undecided cases count in favour."""
-        of = max(_weight(self.every), _exact(self.planned) / 2)
+        of = max(_weight(self.every), Fraction(self.planned) / 2)
         return _weight((*self.passed, *self.undecided)) / of if of else Fraction(0)
 
 
-def tally(own: Iterable[Finding], placed: Placed, planned: float) -> Tally:
+def tally(own: Iterable[Finding], placed: Placed, planned: Fraction | int) -> Tally:
     """Sort the findings of one check.
 
     Args:
@@ -88,12 +88,7 @@ def points(possible: float, share: Fraction) -> float:
 
 def _weight(findings: Iterable[Finding]) -> Fraction:
     """Add up how many ordinary cases some count for."""
-    return sum((_exact(one.weight) for one in findings), Fraction(0))
-
-
-def _exact(number: float) -> Fraction:
-    """Take a number as people wrote it: 0.1 is a tenth."""
-    return Fraction(str(number))
+    return sum((Fraction(str(one.weight)) for one in findings), Fraction(0))
 
 
 def _cause(finding: Finding, placed: Placed) -> str | None:

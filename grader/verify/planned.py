@@ -1,6 +1,7 @@
 """How many cases does a right submission give each check to examine, and what do they weigh?"""
 
 from collections.abc import Sequence
+from fractions import Fraction
 
 from grader.model.cases import (
     AlteredCase,
@@ -39,7 +40,7 @@ DELIVERED: dict[type, type] = {
 }
 
 
-def planned_cases(checks: Sequence[Check], trials: Sequence[Trial]) -> dict[str, float]:
+def planned_cases(checks: Sequence[Check], trials: Sequence[Trial]) -> dict[str, Fraction]:
     """Add up, per check, what the cases weigh that the reference would give it."""
     deep = {trial.name for trial in trials if DepthCase in kinds_of(trial)}
     full = {trial.name for trial in trials if not _is_small(trial)} & deep
@@ -52,14 +53,17 @@ def planned_cases(checks: Sequence[Check], trials: Sequence[Trial]) -> dict[str,
 
     return {
         each.id: _once(each, trials)
-        + sum(weight_of(trial) for trial in trials if counts(each, trial))
+        + sum((weight_of(trial) for trial in trials if counts(each, trial)), Fraction(0))
         for each in checks
     }
 
 
-def weight_of(trial: Trial) -> float:
-    """Return how many ordinary cases a trial counts for: 1, if no scene says otherwise."""
-    return trial.weight if isinstance(trial, ImageTrial) else 1
+def weight_of(trial: Trial) -> Fraction:
+    """Return how many ordinary cases a trial counts for: 1, if no scene says otherwise.
+
+    Exact, and 0.1 is a tenth: three of them and half of six are the same.
+    """
+    return Fraction(str(trial.weight)) if isinstance(trial, ImageTrial) else Fraction(1)
 
 
 def _once(each: Check, trials: Sequence[Trial]) -> int:

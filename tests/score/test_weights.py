@@ -22,7 +22,7 @@ def finding(case: str, verdict: Verdict, weight: float = 1.0, shown: bool = True
     return Finding(IMAGE, case, verdict, evidence, weight=weight, shown=shown)
 
 
-def scored(findings: Sequence[Finding], planned: float) -> CheckScore:
+def scored(findings: Sequence[Finding], planned: Fraction | int) -> CheckScore:
     """Score the check of pictures, worth 4 points here."""
     (only,) = (one for one in load_rubric().criteria if one.check == IMAGE)
     rubric = replace(load_rubric(), criteria=(replace(only, points=4.0),))
@@ -48,16 +48,16 @@ def test_points_follow_the_weights(weights: Sequence[float], wrong: int, points:
         finding(f"scene {k}", Verdict.FAIL if k == wrong else Verdict.PASS, weight)
         for k, weight in enumerate(weights)
     ]
-    score = scored(findings, sum(weights))
+    score = scored(findings, Fraction(sum(map(Fraction, weights))))
     assert (score.score, score.verdict) == (points, Verdict.FAIL)
     right = [replace(one, verdict=Verdict.PASS) for one in findings]
-    assert scored(right, sum(weights)).score == 4.0
+    assert scored(right, Fraction(sum(map(Fraction, weights)))).score == 4.0
 
 
 def test_half_of_what_was_planned_is_measured_by_weight() -> None:
     """One heavy scene is more than half of the plan, three light ones are less."""
-    heavy = scored([finding("heavy", Verdict.PASS, 6.0)], 9.0)
-    light = scored([finding(f"light {k}", Verdict.PASS) for k in range(3)], 9.0)
+    heavy = scored([finding("heavy", Verdict.PASS, 6.0)], 9)
+    light = scored([finding(f"light {k}", Verdict.PASS) for k in range(3)], 9)
     assert (heavy.score, heavy.verdict) == (4.0, Verdict.PASS)
     assert (light.score, light.verdict) == (2.5, Verdict.FAIL)
     assert light.message.startswith("only 3 of 9 cases could be examined")
@@ -66,8 +66,15 @@ def test_half_of_what_was_planned_is_measured_by_weight() -> None:
 def test_tenths_are_exact() -> None:
     """Ten tenths are one, so that rounding takes a quarter from nobody."""
     passed = tuple(finding(f"{k}", Verdict.PASS, 0.1) for k in range(10))
-    assert Tally(passed, (), (), (), 1.0).share == 1
-    assert Tally(passed[:3], passed[3:], (), (), 1.0).share == Fraction(3, 10)
+    assert Tally(passed, (), (), (), 1).share == 1
+    assert Tally(passed[:3], passed[3:], (), (), 1).share == Fraction(3, 10)
+
+
+def test_exactly_half_suffices_however_it_adds_up() -> None:
+    """In binary three tenths are more than 0.3, and half of them would be too few."""
+    planned = sum((Fraction("0.1") for _ in range(6)), Fraction(0))
+    passed = tuple(finding(f"{k}", Verdict.PASS, 0.1) for k in range(3))
+    assert Tally(passed, (), (), (), planned).suffices
 
 
 def test_a_hidden_scene_is_counted_and_not_told() -> None:
