@@ -64,19 +64,21 @@ def log(result: Json, words: Words = str) -> str:
 def errors(result: Json, shown: list[Entry], words: Words) -> list[str]:
     """Write an error for each cause, the worst first."""
     if result["score"] is None:
-        return [annotation("error", "bvhgrade", withheld(words))]
+        return [annotation(result, "error", "bvhgrade", withheld(words))]
     if not result["build"]["ok"]:
         return [*broken_build(result, words)][:MOST_ANNOTATIONS]
     causes: dict[str, Entry] = {}
     for entry in worst_first(shown):
         causes.setdefault(entry.cause or entry.id, entry)
     told = [
-        annotation("error", entry.id, f"{entry.title}\n{entry.text}".strip(), entry.line)
+        annotation(
+            result, "error", entry.id, f"{entry.title}\n{entry.text}".strip(), (entry.line, 0)
+        )
         for entry in causes.values()
     ]
     if not told and result["score"] < result["max_score"]:
         # Nothing is wrong with what was not started; without a word it would look right.
-        told.append(annotation("error", "bvhgrade", summary(result, words)))
+        told.append(annotation(result, "error", "bvhgrade", summary(result, words)))
     return told[:MOST_ANNOTATIONS]
 
 
@@ -84,29 +86,36 @@ def broken_build(result: Json, words: Words) -> Iterator[str]:
     """Write an error for each error of the compiler, in its order; else the reason."""
     said = [one for one in result["build"]["diagnostics"] if one["severity"] == "error"]
     if not any(one["line"] for one in said):
-        yield annotation("error", "build.compiles", unbuilt(result, words))
+        yield annotation(result, "error", "build.compiles", unbuilt(result, words))
         return
     for one in said:
-        yield annotation("error", "build.compiles", one["text"], one["line"], one["column"])
+        yield annotation(
+            result, "error", "build.compiles", one["text"], (one["line"], one["column"])
+        )
 
 
 def warnings(result: Json) -> list[str]:
     """Write a warning for each warning of the compiler that has a line; none is graded."""
     said = [
-        annotation("warning", "g++", one["text"], one["line"], one["column"])
+        annotation(result, "warning", "g++", one["text"], (one["line"], one["column"]))
         for one in result["build"]["diagnostics"]
         if one["severity"] == "warning" and one["line"]
     ]
     return said[:MOST_ANNOTATIONS]
 
 
-def annotation(kind: str, title: str, text: str, line: int = 0, column: int = 0) -> str:
-    """Write one annotation."""
-    place = [f"file={for_workflow_property(FILE)}"]
-    place += [f"line={line}"] if line else []
-    place += [f"col={column}"] if line and column else []
-    place.append(f"title={for_workflow_property(title)}")
-    return f"::{kind} {','.join(place)}::{for_workflow(text)}"
+def annotation(
+    result: Json, kind: str, title: str, text: str, place: tuple[int, int] = (0, 0)
+) -> str:
+    """Write one annotation, at the file's place in the repository as far as it is known."""
+    line, column = place
+    path = str(result["submission"]["path"] or FILE)
+    file = path if "/" in path else FILE
+    told = [f"file={for_workflow_property(file)}"]
+    told += [f"line={line}"] if line else []
+    told += [f"col={column}"] if line and column else []
+    told.append(f"title={for_workflow_property(title)}")
+    return f"::{kind} {','.join(told)}::{for_workflow(text)}"
 
 
 def output(result: Json, words: Words = str) -> str:

@@ -164,3 +164,22 @@ def test_what_classroom_s_reporter_is_started_with_fits_into_its_environment() -
     room = rules.classroom(line)
     assert room.failed
     assert room.sent == (result["score"], result["max_score"])
+
+
+@pytest.mark.parametrize(
+    ("path", "file"),
+    [
+        ("student_stub/src/exercise03.cpp", "student_stub/src/exercise03.cpp"),
+        ("exercise03.cpp", "src/exercise03.cpp"),
+        (None, "src/exercise03.cpp"),
+    ],
+)
+def test_an_annotation_stands_at_the_file_of_the_repository(
+    path: str | None, file: str
+) -> None:
+    """Where the submission was a file alone, at its usual place."""
+    result = real.real("first-hit-wins")
+    result["submission"]["path"] = path
+    annotations = rules.runner(github.log(result)).annotations
+    assert annotations
+    assert {properties["file"] for _, properties, _ in annotations} == {file}
