@@ -15,10 +15,14 @@ from grader.oracle.scenes import folder_sha256, load_mesh, scenes, usable_refere
 
 @dataclass(frozen=True, slots=True)
 class Hung:
-    """One scene and its folder; None for the shipped one."""
+    """One scene, and where it is."""
 
     scene: Scene
     folder: Path | None
+    """None for the shipped one."""
+
+    content: str
+    """Hash of all that lies in the folder."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,14 +40,14 @@ class Exhibit:
 
 def hung(own: Path | None) -> Iterator[Hung]:
     """List the shipped scenes, and then those of a course's own folder."""
-    yield from (Hung(scene, None) for scene in scenes())
-    if own is not None:
-        yield from (Hung(scene, own) for scene in scenes(own))
+    for folder in (None,) if own is None else (None, own):
+        content = folder_sha256(folder)
+        yield from (Hung(scene, folder, content) for scene in scenes(folder))
 
 
 def key_of(one: Hung, *more: object) -> str:
     """Name in the cache what depends on a scene and its folder, and on more."""
-    return digest_of("gallery", folder_sha256(one.folder), one.scene.name, *more)
+    return digest_of("gallery", one.content, one.scene.name, *more)
 
 
 def reference_picture(one: Hung) -> Bytes:

@@ -7,7 +7,7 @@ import numpy as np
 from grader.gallery.hung import Exhibit, reference_picture
 from grader.gallery.shading import shaded, shadow_rays
 from grader.model.cases import ImageCase
-from grader.model.mesh import Bytes, Floats, Mask
+from grader.model.mesh import Bytes, Floats, Mask, Rays
 from grader.model.scene import Scene
 from grader.model.stages import Stop
 from grader.model.views import Drawing, Picture
@@ -54,8 +54,8 @@ def _picture(one: Exhibit, engine: Engine, allowed: Allowance) -> Picture:
 def _drawing(
     scene: Scene, case: ImageCase, reference: Bytes, engine: Engine, allowed: Allowance
 ) -> Drawing:
-    lit = _lit(case, scene, engine, allowed)
-    pixels, _ = shadow_rays(case, scene)
+    pixels, rays = shadow_rays(case, scene)
+    lit = _lit(case, rays, engine, allowed)
     bright = np.zeros(case.hits.t.size, np.bool_)
     bright[pixels] = True if lit is None else lit
     wrong = _as_rows(wrong_pixels(case).astype(np.uint8), scene)
@@ -74,13 +74,18 @@ def _drawing(
     )
 
 
-def _lit(case: ImageCase, scene: Scene, engine: Engine, allowed: Allowance) -> Mask | None:
+def _lit(case: ImageCase, rays: Rays, engine: Engine, allowed: Allowance) -> Mask | None:
     """Ask the submission which of its own hits see the light; None if it does not answer.
 
+    Args:
+        case: Its hits.
+        rays: From K of them to the light.
+        engine: Runs it.
+        allowed: How long it may take.
+
     Returns:
-        (K,) bool, for the pixels of `shadow_rays`.
+        (K,) bool.
     """
-    _, rays = shadow_rays(case, scene)
     job = Job()
     read = trace(job, on_tree(job, case.trial.mesh, case.trial.tree), rays)
     ending, result = run_job(job, engine, allowed)

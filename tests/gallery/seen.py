@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from grader.gallery.hung import Hung, hung
 from grader.model.cases import ImageCase
 from grader.model.mesh import Floats, Hits, Indices
 from grader.model.scene import Reference, Scene
@@ -13,6 +14,11 @@ def scene_and_reference(name: str) -> tuple[Scene, Reference]:
     """Load a scene and Mitsuba's picture of it."""
     scene = scene_named(name)
     return scene, load_reference(scene, load_mesh(scene.mesh))
+
+
+def place_of(name: str) -> Hung:
+    """Say where a shipped scene is."""
+    return next(one for one in hung(None) if one.scene.name == name)
 
 
 def case_of(name: str) -> ImageCase:

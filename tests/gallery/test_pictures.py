@@ -3,16 +3,17 @@
 import numpy as np
 import pytest
 
-from grader.gallery.hung import Hung, reference_picture
+from grader.gallery.hung import reference_picture
 from grader.gallery.pictures import flip
 from grader.model.mesh import Bytes
 from grader.oracle.scenes import scene_named
+from tests.gallery.seen import place_of
 
 
 @pytest.fixture(scope="module")
 def reference() -> Bytes:
     """Mitsuba's picture of the nested spheres."""
-    return reference_picture(Hung(scene_named("nested"), None))
+    return reference_picture(place_of("nested"))
 
 
 def test_a_reference_is_as_large_as_its_scene_says(reference: Bytes) -> None:

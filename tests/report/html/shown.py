@@ -6,12 +6,13 @@ from typing import Any
 import numpy as np
 
 from grader.gallery.coarse import coarsened
-from grader.gallery.hung import Hung, reference_picture
+from grader.gallery.hung import reference_picture
 from grader.model.mesh import Bvh, Doubles, Mesh
 from grader.model.views import Drawing, Model, Picture, ShownRay, Step, Views
 from grader.oracle.balanced import balanced_tree
 from grader.oracle.scenes import load_mesh, scene_named
 from grader.report.views import to_json
+from tests.gallery.seen import place_of
 from tests.report.small_inputs import small
 from tests.verify.builder import build, soup
 
@@ -33,14 +34,14 @@ def failing_views() -> dict[str, Any]:
 def undrawn_views() -> dict[str, Any]:
     """Views of a submission that brought nothing."""
     scene = scene_named("nested")
-    picture = Picture(scene.name, scene.title, reference_picture(Hung(scene, None)), None)
+    picture = Picture(scene.name, scene.title, reference_picture(place_of(scene.name)), None)
     return to_json(Views(pictures=(picture,), models=()))
 
 
 def drawn(name: str, wrong: int) -> Picture:
     """Draw a scene as Mitsuba does but for a square of so many pixels a side."""
     scene = scene_named(name)
-    reference = reference_picture(Hung(scene, None))
+    reference = reference_picture(place_of(scene.name))
     yours, mask = reference.copy(), np.zeros(reference.shape[:2], np.uint8)
     middle = slice(scene.height // 2, scene.height // 2 + wrong)
     yours[middle, middle], mask[middle, middle] = (250, 60, 60), 1
