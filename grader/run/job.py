@@ -5,6 +5,7 @@ resizing, so a worker that truncates it cannot make the grader's mapping fault. 
 sparse: only pages that the worker wrote cost memory.
 """
 
+import errno
 import fcntl
 import mmap
 import os
@@ -21,6 +22,9 @@ from grader.run.protocol import DATA_OFFSET, HEADER, MAGIC, ROW, VERSION
 ALIGNMENT = 64
 SEAL_SIZE = fcntl.F_SEAL_SHRINK | fcntl.F_SEAL_GROW | fcntl.F_SEAL_SEAL
 SEAL_ALL = SEAL_SIZE | fcntl.F_SEAL_WRITE
+
+MOST_SEALINGS = 60
+"""Attempts, each of which waits by itself: together some 10 s."""
 
 
 class Job:
@@ -73,9 +77,9 @@ class Job:
         result = os.memfd_create("result", os.MFD_CLOEXEC | os.MFD_ALLOW_SEALING)
         try:
             self._fill(given)
-            fcntl.fcntl(given, fcntl.F_ADD_SEALS, SEAL_ALL)
+            _seal(given, SEAL_ALL)
             os.ftruncate(result, self._result_size)
-            fcntl.fcntl(result, fcntl.F_ADD_SEALS, SEAL_SIZE)
+            _seal(result, SEAL_SIZE)
             yield given, result
         finally:
             os.close(given)
@@ -90,6 +94,24 @@ class Job:
         for offset, array in self._arrays:
             if array.nbytes:
                 _write(given, array.reshape(-1).view(np.uint8).data, offset)
+
+
+def _seal(descriptor: int, seals: int) -> None:
+    """Seal a file that nobody has mapped.
+
+    Against writing, Linux refuses to seal a file while anything else holds one of its pages; on
+    a busy machine that may be the kernel itself, which moves pages about. It waits 0.15 s for
+    their release (`memfd_wait_for_pins` in mm/memfd.c), which was once too short.
+    """
+    for _ in range(MOST_SEALINGS):
+        try:
+            fcntl.fcntl(descriptor, fcntl.F_ADD_SEALS, seals)
+        except OSError as error:
+            if error.errno != errno.EBUSY:
+                raise
+        else:
+            return
+    raise WorkerFault("the input of a worker could not be sealed: the kernel holds its pages")
 
 
 def _write(descriptor: int, data: bytes | memoryview, offset: int) -> None:

@@ -223,3 +223,34 @@ def test_a_row_has_room_for_every_operation() -> None:
 def numbers(words: type) -> dict[str, int]:
     """The named numbers of a class."""
     return {name: value for name, value in vars(words).items() if name.isupper()}
+
+
+def busy_kernel(monkeypatch: pytest.MonkeyPatch, times: int) -> list[int]:
+    """Let the kernel refuse the first seals, as it does while it moves a page of the file."""
+    asked: list[int] = []
+    seal = fcntl.fcntl
+
+    def refusing(descriptor: int, command: int, argument: int = 0) -> int:
+        if command == fcntl.F_ADD_SEALS:
+            asked.append(argument)
+            if len(asked) <= times:
+                raise OSError(errno.EBUSY, os.strerror(errno.EBUSY))
+        return seal(descriptor, command, argument)
+
+    monkeypatch.setattr(fcntl, "fcntl", refusing)
+    return asked
+
+
+def test_a_page_that_the_kernel_holds_is_waited_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Then both files are sealed as ever."""
+    asked = busy_kernel(monkeypatch, 3)
+    with Job().files() as (given, _):
+        assert fcntl.fcntl(given, fcntl.F_GET_SEALS) & fcntl.F_SEAL_WRITE
+    assert len(asked) == 5
+
+
+def test_a_page_that_is_never_released_is_our_fault(monkeypatch: pytest.MonkeyPatch) -> None:
+    """No submission can hold it: the file was not yet given to anybody."""
+    busy_kernel(monkeypatch, 10_000)
+    with pytest.raises(WorkerFault, match="could not be sealed"), Job().files():
+        pass
