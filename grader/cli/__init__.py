@@ -12,6 +12,7 @@ from grader.cli.certify import certify
 from grader.cli.export import export
 from grader.cli.grading import check, grade
 from grader.cli.installation import doctor, schema
+from grader.cli.package import package
 from grader.cli.reporting import report
 from grader.cli.scenes import scenes
 from grader.cli.status import INTERRUPTED, GraderGroup
@@ -24,7 +25,11 @@ def cli() -> None:
     """Grade a BVH exercise in C++: one file, two functions, 50 points."""
 
 
-for command in (check, grade, batch, verify, report, export, scenes, doctor, schema, certify):
+COMMANDS = (
+    *(check, grade, batch, verify, report, export),
+    *(package, scenes, doctor, schema, certify),
+)
+for command in COMMANDS:
     cli.add_command(command)
 
 
