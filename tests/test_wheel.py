@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.built_wheel import built_wheel
 from tests.own_files import ROOT
 
 Command = Sequence[str | Path]
@@ -43,19 +44,7 @@ def installed(tmp_path_factory: pytest.TempPathFactory) -> Path:
     Its dependencies are taken from the environment of the tests, so that no network is needed.
     """
     folder = tmp_path_factory.mktemp("wheel")
-    build: Command = [
-        sys.executable,
-        "-m",
-        "build",
-        "--no-isolation",
-        "--wheel",
-        "-o",
-        folder,
-        ROOT,
-    ]
-    built = run(build, folder)
-    assert built.returncode == 0, built.stdout + built.stderr
-    (wheel,) = folder.glob("bvhgrade-*.whl")
+    wheel = built_wheel(folder)
     venv.create(folder / "env", symlinks=True)
     python = folder / "env" / "bin" / "python"
     pip: Command = [

@@ -10,7 +10,7 @@ EARLIEST = (1980, 1, 1, 0, 0, 0)
 """The first moment that a zip can hold."""
 
 UNIX = 3
-LEFTOVERS = ("__pycache__",)
+LEFTOVERS = ("__pycache__", ".DS_Store")
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,7 +64,7 @@ def files_of(folder: Path, without: Iterable[str] = ()) -> tuple[Member, ...]:
         skipped = path.suffix in left_out or inside.parts[0] in left_out
         if path.is_symlink() or not path.is_file() or skipped:
             continue
-        if not any(part in LEFTOVERS or part.startswith(".") for part in inside.parts):
+        if not any(part in LEFTOVERS for part in inside.parts):
             found.append(Member(inside.as_posix(), path.read_bytes(), _runs(path)))
     return tuple(found)
 

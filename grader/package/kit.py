@@ -1,6 +1,7 @@
 """What has every host that grades? The grader, how to install it, and the course's choices."""
 
 import shlex
+import tomllib
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path, PurePath
@@ -85,11 +86,8 @@ def own_scenes(rubric: Path) -> tuple[Member, ...]:
     folder = load_rubric(rubric).scenes
     if folder is None:
         return ()
-    if folder.is_absolute() or not folder.is_relative_to(rubric.parent):
-        inside = PurePath()
-    else:
-        inside = folder.relative_to(rubric.parent)
-    if not inside.parts or ".." in inside.parts:
+    inside = PurePath(tomllib.loads(rubric.read_text())["scenes"]["folder"])
+    if inside.is_absolute() or not inside.parts or ".." in inside.parts:
         raise UsageError(
             f"{rubric}: its scenes lie in {folder}, but they are packed together with it; "
             "put that folder beside the rubric, and name it there without .. and /"

@@ -75,4 +75,15 @@ if compgen -G "$here/wheels/numpy-*.whl" >/dev/null; then sources=(--no-index --
 trial=$(mktemp -d)
 reference=$("$here/venv/bin/python" -c 'from grader.resources import reference_source; print(reference_source())')
 "$here/grade.sh" "$reference" "$trial" --quiet || die 'the model solution could not be graded; see above'
+"$here/venv/bin/python" - "$trial/result.json" <<'END' || die 'the model solution loses points here; see above'
+import json
+import sys
+
+with open(sys.argv[1]) as file:
+    result = json.load(file)
+for check in result["checks"]:
+    if check["verdict"] != "pass":
+        print(check["id"], check["verdict"], check["message"])
+sys.exit(result["score"] is None or result["score"] < result["max_score"])
+END
 rm -rf "$trial"
