@@ -9,14 +9,16 @@ from grader.build.compiler import find_compiler
 
 WITHOUT_VERDICT = (
     *("batch", "certify", "cli", "counterexample", "diagnose", "gallery", "gradebook"),
-    *("locale", "package", "report", "__pycache__"),
+    *("locale", "package", "report", "similar", "__pycache__"),
 )
 """Folders of the package that decide nothing."""
 
 WITHOUT_SIZES = tuple(each for each in WITHOUT_VERDICT if each != "counterexample")
 """Folders that do not decide how small a counterexample is either."""
 
-WITHOUT_RESULT = ("batch", "certify", "cli", "gradebook", "package", "__pycache__")
+WITHOUT_RESULT = (
+    *("batch", "certify", "cli", "gradebook", "package", "similar", "__pycache__"),
+)
 """Folders of which nothing is in a stored result."""
 
 _ENDINGS = {".py", ".toml", ".txt", ".cpp", ".h", ".npz", ".exr", ".answers", ".obj"}

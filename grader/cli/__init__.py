@@ -15,6 +15,7 @@ from grader.cli.installation import doctor, schema
 from grader.cli.package import package
 from grader.cli.reporting import report
 from grader.cli.scenes import scenes
+from grader.cli.similar import similar
 from grader.cli.status import INTERRUPTED, GraderGroup
 from grader.cli.verify import verify
 
@@ -26,7 +27,7 @@ def cli() -> None:
 
 
 COMMANDS = (
-    *(check, grade, batch, verify, report, export),
+    *(check, grade, batch, verify, report, export, similar),
     *(package, scenes, doctor, schema, certify),
 )
 for command in COMMANDS:

@@ -35,8 +35,8 @@ class Row:
     verdicts: tuple[tuple[str, str], ...]
     """Id of each check and its verdict: `pass`, `fail`, `blocked` or `broken`."""
 
-    causes: tuple[str, ...]
-    """Likely misconceptions, each in a sentence."""
+    causes: tuple[tuple[str, str], ...]
+    """Likely misconceptions, each in a sentence, and the check that shows it best."""
 
     note: str
     """Why there is nothing to see, if so: the file does not compile, or was refused."""
@@ -60,11 +60,10 @@ def row_of(result: Json, link: str) -> Row:
     """
     checks = result["checks"]
     # How many places it explains differs from student to student; what is believed does not.
-    causes = [
-        misconception(one["hint"])[0]
-        for one in checks
-        if one["verdict"] == "fail" and one["hint"]
-    ]
+    causes: dict[str, str] = {}
+    for one in checks:
+        if one["verdict"] == "fail" and one["hint"]:
+            causes.setdefault(misconception(one["hint"])[0], one["id"])
     build = result["build"]
     return Row(
         name=result["submission"]["name"],
@@ -73,7 +72,7 @@ def row_of(result: Json, link: str) -> Row:
         max_score=result["max_score"],
         seconds=result["timing"]["total"],
         verdicts=tuple((one["id"], one["verdict"]) for one in checks),
-        causes=tuple(dict.fromkeys(causes)),
+        causes=tuple(causes.items()),
         note="" if build["ok"] else _first_error(build["diagnostics"]),
     )
 
@@ -116,14 +115,18 @@ def most_failed(rows: Iterable[Row]) -> list[tuple[str, int]]:
     return sorted(failed.items(), key=lambda one: (-one[1], one[0]))
 
 
-def misconceptions(rows: Iterable[Row]) -> list[tuple[str, list[str]]]:
-    """Return likely misconceptions of several students, and whose they are."""
+def misconceptions(rows: Iterable[Row]) -> list[tuple[str, str, list[str]]]:
+    """Return likely misconceptions of several students: sentence, check, and whose they are."""
     whose: dict[str, list[str]] = {}
+    checks: dict[str, str] = {}
     for row in rows:
-        for cause in row.causes:
+        for cause, check in row.causes:
             whose.setdefault(cause, []).append(row.name)
-    shared = [(cause, names) for cause, names in whose.items() if len(names) >= FEWEST]
-    return sorted(shared, key=lambda one: (-len(one[1]), one[0]))
+            checks.setdefault(cause, check)
+    shared = [
+        (cause, checks[cause], names) for cause, names in whose.items() if len(names) >= FEWEST
+    ]
+    return sorted(shared, key=lambda one: (-len(one[2]), one[0]))
 
 
 def check_names(rows: Iterable[Row]) -> list[str]:

@@ -14,6 +14,7 @@ from grader.report.class_row import (
     most_failed,
 )
 from grader.report.escape import for_csv
+from grader.report.hints import told
 from grader.report.html.page import SIGNS, page
 
 WIDTH, HEIGHT, LEFT, BELOW, ABOVE = 760, 200, 36, 22, 10
@@ -66,12 +67,21 @@ def to_class_page(rows: Sequence[Row], footer: str, language: str) -> str:
         "withheld": withheld(rows, words),
         **chart(histogram(rows), words),
         "failed": failed,
-        "misconceptions": [(words(cause), whose) for cause, whose in misconceptions(rows)],
+        "misconceptions": [
+            (words(cause), comment(cause, check, words), whose)
+            for cause, check, whose in misconceptions(rows)
+        ],
         "checks": checks,
         "rows": [_row(row, checks, words) for row in rows],
         "footer": footer,
     }
     return page("class", language, values, {"csv": csv_parts(rows)})
+
+
+def comment(cause: str, check: str, words: Words) -> str:
+    """Word what can be told to all who believe the same; it holds no solution."""
+    question = told().get(check, {}).get("question", "")
+    return " ".join(filter(None, (words(cause), words(question))))
 
 
 def lead(rows: Sequence[Row], words: Words) -> str:
@@ -80,19 +90,19 @@ def lead(rows: Sequence[Row], words: Words) -> str:
     if average is None:
         return words("{students} submissions").format(students=len(rows))
     most = max(row.max_score for row in rows)
-    told = words("{students} submissions, mean {mean}, median {median} of {most} points")
+    sentence = words("{students} submissions, mean {mean}, median {median} of {most} points")
     mean, middle = (f"{value:.1f}" for value in average)
-    return told.format(students=len(rows), mean=mean, median=middle, most=f"{most:g}")
+    return sentence.format(students=len(rows), mean=mean, median=middle, most=f"{most:g}")
 
 
 def withheld(rows: Sequence[Row], words: Words) -> str:
     """Say how many scores are withheld; empty if none is."""
     count = sum(row.score is None for row in rows)
-    told = words(
+    sentence = words(
         "Withheld scores: {count}. The grader itself failed there; grade these again. They "
         "are in no average."
     )
-    return told.format(count=count) if count else ""
+    return sentence.format(count=count) if count else ""
 
 
 def chart(bars: Sequence[Bar], words: Words) -> dict[str, object]:
@@ -118,8 +128,8 @@ def chart(bars: Sequence[Bar], words: Words) -> dict[str, object]:
         for place, bar in enumerate(bars)
     ]
     lines = [Line(round(ground - room * n / LINES, 1), n * step) for n in range(LINES + 1)]
-    told = "; ".join(one.told for one in drawn)
-    shape = {"width": WIDTH, "height": HEIGHT, "left": LEFT, "lines": lines, "told": told}
+    every = "; ".join(one.told for one in drawn)
+    shape = {"width": WIDTH, "height": HEIGHT, "left": LEFT, "lines": lines, "told": every}
     return {"bars": drawn, "chart": shape}
 
 

@@ -30,10 +30,15 @@ SIGNS = {
 """Of each verdict: the class of its colours in `base.css`, and the sign that tells it without
 colours."""
 
-STYLES = {"class": ("base.css", "class.css"), "report": ("base.css", "report.css")}
+STYLES = {
+    "class": ("base.css", "class.css"),
+    "report": ("base.css", "report.css"),
+    "similar": ("base.css", "similar.css"),
+}
 SCRIPTS = {
     "class": ("base.js", "class.js"),
     "report": ("base.js", "space.js", "walk.js", "report.js"),
+    "similar": ("base.js",),
 }
 """What stands in each page, in order."""
 

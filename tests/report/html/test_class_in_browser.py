@@ -27,7 +27,7 @@ def student(number: int) -> Row:
         max_score=50.0,
         seconds=float(number % 29),
         verdicts=verdicts,
-        causes=("The search stops at its first hit.",) if failed else (),
+        causes=(("The search stops at its first hit.", CHECKS[2]),) if failed else (),
         note="",
     )
 

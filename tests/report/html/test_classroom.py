@@ -18,6 +18,7 @@ from grader.report.class_row import (
     most_failed,
     row_of,
 )
+from grader.report.hints import told
 from grader.report.html.classroom import to_class_page, to_csv
 from grader.verify import every_check
 from tests.report import samples
@@ -30,7 +31,7 @@ VERDICTS = tuple((check, "pass") for check in CHECKS)
 def row(name: str, score: float | None = 50.0, *failed: str, cause: str = "") -> Row:
     """Make a student who fails some checks."""
     verdicts = tuple((check, "fail" if check in failed else "pass") for check in CHECKS)
-    causes = (cause,) if cause else ()
+    causes = ((cause, CHECKS[3]),) if cause else ()
     return Row(
         name, f"students/{len(name)}/report.html", score, 50.0, 4.5, verdicts, causes, ""
     )
@@ -75,7 +76,7 @@ def test_a_row_is_taken_from_a_result() -> None:
     assert [check for check, _ in made.verdicts] == [one["id"] for one in result["checks"]]
     assert ("bvh.boxes-are-tight", "fail") in made.verdicts
     assert made.note == ""
-    assert made.causes == ("A child gets the box of its parent.",)
+    assert made.causes == (("A child gets the box of its parent.", "bvh.boxes-are-tight"),)
 
 
 def test_a_withheld_score_stays_unknown() -> None:
@@ -118,7 +119,15 @@ def test_the_most_failed_check_comes_first() -> None:
 def test_only_a_misconception_of_several_is_one_of_the_class() -> None:
     """With the names of those who have it."""
     rows = [row("a", cause="x"), row("b", cause="y"), row("c", cause="y")]
-    assert misconceptions(rows) == [("y", ["b", "c"])]
+    assert misconceptions(rows) == [("y", CHECKS[3], ["b", "c"])]
+
+
+def test_one_comment_is_for_all_who_believe_the_same() -> None:
+    """The misconception and the question of its check; never what there is to write."""
+    rows = [row(name, cause="A child gets the box of its parent.") for name in ("a", "b")]
+    page = to_class_page(rows, "", "en")
+    question = told()[CHECKS[3]]["question"]
+    assert f"<blockquote>A child gets the box of its parent. {question}</blockquote>" in page
 
 
 def test_the_table_has_a_line_for_each_student() -> None:
