@@ -4,6 +4,7 @@ import json
 import os
 import re
 import subprocess
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -29,6 +30,8 @@ MADE_BY_A_COMMAND = (
     "own-scenes",
     ".venv",
     "result.json",
+    # In the package for PrairieLearn.
+    "questions/",
 )
 
 
@@ -76,6 +79,14 @@ def test_every_command_exists(document: Path, line: str) -> None:
     elif program == "sudo":
         assert arguments[:2] == ["apt-get", "install"]
         assert set(arguments[2:]) <= installed_packages()
+    elif program == "pip":
+        extras = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+        named = re.findall(r"bvhgrade\[(\w+)\]", line)
+        assert set(named) <= set(extras["optional-dependencies"])
+        assert arguments[0] == ("install" if named else "download")
+    elif program == "unzip":
+        # Of a package that the line before made; its names are those of the kit.
+        assert "bvhgrade/constraints.txt" in arguments
     else:
         pytest.fail(f"{line}: what is this?")
 
