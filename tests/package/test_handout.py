@@ -42,7 +42,9 @@ def test_nothing_of_reference_grader_or_tests_is_in_it(handout: zipfile.ZipFile)
         resources.reference_source(),
         *(ROOT / "tests/submissions/right").glob("*.cpp"),
     ]
-    lines = {line.strip() for path in solutions for line in path.read_text().splitlines()}
+    lines = {
+        line.strip() for path in solutions for line in path.read_text("latin-1").splitlines()
+    }
     theirs = {line for line in lines if "nth_element(" in line}
     assert theirs
     assert not [line for line in theirs if line.encode() in told and line not in starter]
