@@ -16,12 +16,17 @@ class Job:
 
     settings: Settings
     wish: Wish
-    clerks: int
+    clerks: int | None
+    """How many submissions at a time; None for as many as are good where they are graded."""
+
     language: str = "en"
     """Of the pages."""
 
     entry: str = ENTRY
     """What a clerk does with a submission; only tests name something else."""
+
+    scheduler: str | None = None
+    """Address of a cluster that grades; None for this machine."""
 
     preview: bool = False
     """Keep the results in the store only, beside those of the class."""

@@ -13,16 +13,17 @@ from typing import Protocol
 from grader.batch.files import Results
 from grader.batch.job import Job
 from grader.batch.layouts import Arrangement, Place
+from grader.batch.offices import Staff, staff
 from grader.batch.records import Student
 from grader.batch.slug import slug
 from grader.batch.store import Store
 from grader.batch.table import Totals, write_table
-from grader.batch.work import Failed, Order
-from grader.errors import GraderError, OutputFault
+from grader.batch.work import Failed, Order, Refused
+from grader.errors import GraderError, OutputFault, WorkerFault
 from grader.intake.handed_in import handed_in
 from grader.model.stages import Rejected
 from grader.plain import as_name
-from grader.sandbox.office import Done, Gone, News, Office, Told
+from grader.sandbox.office import Done, Gone, News, Notice, Told
 from grader.selection import select
 
 ATTEMPTS = 2
@@ -46,6 +47,9 @@ class Watch(Protocol):
 
     def finished(self, student: Student, score: float | None, most: float) -> None:
         """A submission has its points, or they are withheld."""
+
+    def notice(self, sentence: str) -> None:
+        """Something is worth knowing, and nothing is wrong."""
 
     def trouble(self, sentence: str) -> None:
         """Something of ours went wrong; the others go on."""
@@ -106,12 +110,12 @@ class Batch:
         waiting = self.store.ungraded(self.job.settings)
         limits = select(self.job.wish.rubric, ()).rubric.limits
         seconds = 2 * self.job.wish.options().most_seconds(limits) + SPARE_SECONDS
-        with Office(self.job.entry, self.job.clerks, seconds) as office:
+        with staff(self.job, seconds) as office:
             while self._all_busy(office, waiting):
                 for news in office.news():
                     self._heard(news)
 
-    def _all_busy(self, office: Office, waiting: Iterator[Student]) -> bool:
+    def _all_busy(self, office: Staff, waiting: Iterator[Student]) -> bool:
         """Give an order to every free clerk; False if all is done."""
         while not office.is_full:
             if self.again:
@@ -124,23 +128,29 @@ class Batch:
             self._give(office, ticket)
         return office.busy > 0
 
-    def _give(self, office: Office, ticket: int) -> None:
+    def _give(self, office: Staff, ticket: int) -> None:
         student = self.at_work[ticket]
         try:
             source = self.store.source(student.sha256 or "")
-            office.give(ticket, Order(student.submission(source), self.job.wish))
+            office.give(
+                ticket, Order(student.submission(source), self.job.wish, self.job.settings)
+            )
         except GraderError as fault:
             self._failed(ticket, str(fault))
             return
         self.attempts[ticket] = self.attempts.get(ticket, 0) + 1
 
     def _heard(self, news: News) -> None:
-        if isinstance(news, Told):
+        if isinstance(news, Notice):
+            self.watch.notice(news.sentence)
+        elif isinstance(news, Told):
             self.watch.stage(self.at_work[news.ticket], str(news.what))
         elif isinstance(news, Gone):
             self._gone(news)
         elif isinstance(news.result, Failed):
             self._failed(news.ticket, news.result.why)
+        elif isinstance(news.result, Refused):
+            raise WorkerFault(news.result.why)
         else:
             self._done(news)
 

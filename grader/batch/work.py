@@ -3,8 +3,9 @@
 import traceback
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import cache
 
-from grader.batch.settings import Wish
+from grader.batch.settings import Settings, Wish, settled
 from grader.errors import GraderError
 from grader.kept import Result, kept
 from grader.model.stages import Rejected, Submission
@@ -23,6 +24,8 @@ class Order:
 
     submission: Submission | Rejected
     wish: Wish
+    settings: Settings
+    """What the wish means for the class, and has to mean wherever it is graded."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,13 +35,22 @@ class Failed:
     why: str
 
 
-def graded(order: Order, tell: Callable[[str], None]) -> Result | Failed:
-    """Grade one submission.
+@dataclass(frozen=True, slots=True)
+class Refused:
+    """Whoever was to grade it would grade otherwise than the class; so would all others."""
+
+    why: str
+
+
+def graded(order: Order, tell: Callable[[str], None]) -> Result | Failed | Refused:
+    """Grade one submission, if it means the same here as for the class.
 
     Args:
         order: What and how.
         tell: Is told each stage as it begins.
     """
+    if why := _differences(order.wish, order.settings):
+        return Refused(why)
     told = ""
 
     def progress(stage: str, _: int, __: int) -> None:
@@ -54,3 +66,13 @@ def graded(order: Order, tell: Callable[[str], None]) -> Result | Failed:
         return Failed(str(fault))
     except Exception as fault:  # noqa: BLE001 - one submission must not end the class
         return Failed(printable("".join(traceback.format_exception(fault)), LONGEST_FAULT))
+
+
+@cache
+def _differences(wish: Wish, settings: Settings) -> str:
+    """Say what decides a grade here that is not so for the class; empty if nothing."""
+    try:
+        changes = "; ".join(settings.changes(settled(wish)))
+    except GraderError as fault:
+        return str(fault)
+    return changes and f"it would grade otherwise than the class ({changes})"

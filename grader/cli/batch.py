@@ -1,6 +1,5 @@
 """The command that grades a whole class."""
 
-import os
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -18,7 +17,7 @@ from grader.cli.options import (
     unsafe_option,
 )
 from grader.cli.status import FULL_MARKS, INTERRUPTED, OUR_FAULT
-from grader.errors import UsageError
+from grader.errors import UsageError, WorkerFault
 from grader.language import usual_language
 from grader.output import STUDENTS, ready
 from grader.plain import as_name
@@ -50,7 +49,12 @@ MOST_NAMED = 5
 @click.option(
     "--jobs",
     type=click.IntRange(1, 256),
-    help="Submissions at a time (default: one for two processors).",
+    help="Submissions at a time (default: one for two processors; on a cluster two a thread).",
+)
+@click.option(
+    "--scheduler",
+    metavar="ADDRESS",
+    help="Grade on the Dask cluster at this tcp:// or tls:// address (docs/scale.md).",
 )
 @click.option("--regrade", is_flag=True, help="Show who would change and why; keep all.")
 @click.option("--apply", is_flag=True, help="With --regrade: make it the class's results.")
@@ -59,7 +63,7 @@ MOST_NAMED = 5
 @time_option
 @language_option
 @unsafe_option
-def batch(folder_or_zip: Path | None, output: Path, jobs: int | None, **given: Any) -> None:  # noqa: ANN401 - click's own
+def batch(folder_or_zip: Path | None, output: Path, **given: Any) -> None:  # noqa: ANN401 - click's own
     """Grade a whole class; the same command again goes on.
 
     FOLDER_OR_ZIP holds a file or a folder for each student, or is a download of Moodle, Canvas,
@@ -76,17 +80,14 @@ def batch(folder_or_zip: Path | None, output: Path, jobs: int | None, **given: A
     folder = ready(output)
     with interruptible():
         language = given["language"] or usual_language()
-        job = Job(folder, settled(wish), wish, jobs or usual_jobs(), language)
+        job = Job(
+            folder, settled(wish), wish, given["jobs"], language, scheduler=given["scheduler"]
+        )
         if given["regrade"]:
             raise Exit(regraded(replace(job, preview=True), given["apply"]))
         if folder_or_zip is None or given["apply"]:
             raise UsageError("name the folder or zip of a class; --apply goes with --regrade")
         raise Exit(graded(folder_or_zip, job))
-
-
-def usual_jobs() -> int:
-    """A submission keeps about two processors busy."""
-    return max(1, len(os.sched_getaffinity(0)) // 2)
 
 
 def graded(path: Path, job: "Job") -> int:
@@ -106,6 +107,9 @@ def graded(path: Path, job: "Job") -> int:
                 batch.read(class_)
                 batch.grade()
                 totals = batch.write()
+            except WorkerFault:
+                batch.tabulate()
+                raise
             except KeyboardInterrupt as fault:
                 batch.tabulate()
                 watch.say("interrupted; what was graded is kept, and the same command goes on")

@@ -46,6 +46,10 @@ class Lines:
         if self.done % step == 0 or self.done == self.total:
             self.say(f"{self.done:,} of {self.total:,}  {worded(student, score, most)}")
 
+    def notice(self, sentence: str) -> None:
+        """Say it at once."""
+        self.say(sentence)
+
     def trouble(self, sentence: str) -> None:
         """Say it at once."""
         self.say(f"bvhgrade: {sentence}")

@@ -136,10 +136,23 @@ def read_result(path: Path) -> Json:
     Raises:
         UsageError: It cannot be read, or is not what the grader writes.
     """
+    return parsed_result(_content(path, LARGEST_JSON), path)
+
+
+def parsed_result(content: bytes, path: Path | str) -> Json:
+    """Read the content of a `result.json`, strictly.
+
+    Args:
+        content: What it holds.
+        path: Where that comes from, for who has to look.
+
+    Raises:
+        UsageError: It is not what the grader writes.
+    """
     from jsonschema import Draft202012Validator
     from jsonschema.exceptions import best_match
 
-    value = read_json(path, LARGEST_JSON, SCHEMA_VERSION)
+    value = parsed_json(content, path, SCHEMA_VERSION)
     fault = best_match(Draft202012Validator(json.loads(schema_text())).iter_errors(value))
     if fault is not None:
         # Not its message, which quotes a whole value.
@@ -159,7 +172,20 @@ def read_json(path: Path, most: int, version: int) -> Json:
     Raises:
         UsageError: It cannot be read, or is something else.
     """
-    text = _content(path, most)
+    return parsed_json(_content(path, most), path, version)
+
+
+def parsed_json(text: bytes, path: Path | str, version: int) -> Json:
+    """Read an object of ours.
+
+    Args:
+        text: What it is read from.
+        path: Where that comes from, for who has to look.
+        version: What it says of its own `schema`.
+
+    Raises:
+        UsageError: It is something else.
+    """
     try:
         value: Any = json.loads(text, parse_constant=_refuse, parse_float=_finite)
     except (ValueError, RecursionError) as fault:
@@ -194,5 +220,5 @@ def _refuse(name: str) -> float:
     raise ValueError(f"{name} is no number")
 
 
-def _damaged(path: Path, reason: str) -> UsageError:
+def _damaged(path: Path | str, reason: str) -> UsageError:
     return UsageError(f"{path}: {reason}; grade this submission again")

@@ -59,7 +59,14 @@ class Gone:
     why: str
 
 
-News = Told | Done | Gone
+@dataclass(frozen=True, slots=True)
+class Notice:
+    """Something that concerns no single order, for whoever waits for all of them."""
+
+    sentence: str
+
+
+News = Told | Done | Gone | Notice
 
 
 @dataclass(slots=True)

@@ -57,6 +57,7 @@ class Seen:
     """Remembers what a watch is told."""
 
     def __init__(self) -> None:
+        self.notices: list[str] = []
         self.troubles: list[str] = []
         self.finished_names: list[str] = []
         self.stages: set[str] = set()
@@ -74,6 +75,10 @@ class Seen:
     def finished(self, student: Student, score: float | None, most: float) -> None:
         """Keep the name."""
         self.finished_names.append(student.name)
+
+    def notice(self, sentence: str) -> None:
+        """Keep the sentence."""
+        self.notices.append(sentence)
 
     def trouble(self, sentence: str) -> None:
         """Keep the sentence."""

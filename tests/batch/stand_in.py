@@ -28,9 +28,9 @@ WISH = Wish(41, None, None, isolated=False)
 SETTINGS = Settings("0.1", "1" * 64, "2" * 64, 41, "none", None)
 
 
-def job(folder: Path, clerks: int = 2) -> Job:
+def job(folder: Path, clerks: int | None = 2, scheduler: str | None = None) -> Job:
     """A class that is graded by this file."""
-    return Job(folder, SETTINGS, WISH, clerks, entry=ENTRY)
+    return Job(folder, SETTINGS, WISH, clerks, entry=ENTRY, scheduler=scheduler)
 
 
 def begun(log: Path) -> list[str]:

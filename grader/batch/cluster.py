@@ -1,0 +1,248 @@
+"""How is a class graded by a Dask cluster? As an office does it, with clerks elsewhere.
+
+Theory of operation. Few orders are under way at a time, twice as many as the cluster has
+threads: so neither this process nor the scheduler ever holds a whole class, and no thread waits
+for us. Dask gives what a lost worker was doing to another one, up to its `allowed-failures`;
+after that, or if a clerk dies, it is news of this one order. Nothing is stored but here, by who
+asks for the news. Whatever is wrong with the cluster as a whole ends the block: what was graded
+is kept, and the same command goes on.
+"""
+
+import hashlib
+import logging
+import time
+import warnings
+from collections.abc import Iterator
+from concurrent.futures import CancelledError
+from contextlib import suppress
+from queue import Empty, SimpleQueue
+from types import TracebackType
+from typing import TYPE_CHECKING, Any, Self
+
+from grader.batch.branch import done
+from grader.batch.job import Job
+from grader.batch.parcel import Terms, packed_files, packed_order, read_answer
+from grader.batch.work import Order
+from grader.errors import MissingTool, UsageError, WorkerFault
+from grader.plain import printable
+from grader.sandbox.office import Gone, News, Notice
+
+if TYPE_CHECKING:
+    from distributed import Client, Future
+
+PATIENCE_SECONDS = 30.0
+"""How long a scheduler may take to answer."""
+
+LOOK_SECONDS = 5.0
+"""How often the threads of a cluster are counted, which may come and go."""
+
+ORDERS_A_THREAD = 2
+"""One that is being done, and one that waits for its end."""
+
+LONGEST_FAULT = 400
+"""Characters of what Dask says that are shown."""
+
+PROTOCOLS = ("tcp://", "tls://")
+
+
+class Cluster:
+    """Machines that do one order after the other, for as long as the block lasts."""
+
+    def __init__(self, job: Job, seconds: float) -> None:
+        """Connect to nothing yet.
+
+        Args:
+            job: The class; its `clerks` limit how many orders are under way.
+            seconds: Wall time of an order after which something is wrong with a clerk.
+
+        Raises:
+            UsageError: The address is none, or own files cannot travel.
+        """
+        self._address = job.scheduler or ""
+        if not self._address.startswith(PROTOCOLS):
+            raise UsageError(
+                f"--scheduler {self._address}: an address begins with {' or '.join(PROTOCOLS)}"
+            )
+        self._most = job.clerks
+        self._own = packed_files(job.wish.rubric)
+        digest = hashlib.sha256(self._own).hexdigest() if self._own else ""
+        self._terms = Terms(job.entry, seconds, digest)
+        self._orders: dict[int, tuple[Order, Future[bytes]]] = {}
+        self._ended: SimpleQueue[int] = SimpleQueue()
+        self._threads, self._counted_at = -1, 0.0
+
+    def __enter__(self) -> Self:
+        """Connect to the scheduler.
+
+        Raises:
+            MissingTool: Dask is not installed.
+            WorkerFault: The scheduler does not answer, or speaks another version.
+        """
+        self._client = _connected(self._address)
+        try:
+            _require_versions(self._client, self._address)
+            # A task like the others, so that Dask makes it anew if the worker that has it dies.
+            self._files = self._client.submit(bytes, self._own) if self._own else b""
+        except BaseException:
+            self._close()
+            raise
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        fault: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        """Take back every order that has not begun, and leave the cluster as it was."""
+        self._orders.clear()
+        self._close()
+
+    @property
+    def is_full(self) -> bool:
+        """Enough orders are under way."""
+        return self.busy >= (self._most or max(1, ORDERS_A_THREAD * self._threads))
+
+    @property
+    def busy(self) -> int:
+        """How many orders are under way."""
+        return len(self._orders)
+
+    def give(self, ticket: int, order: Order) -> None:
+        """Let some worker do an order.
+
+        Args:
+            ticket: What the news of it are known by.
+            order: The submission, and how to grade it.
+
+        Raises:
+            WorkerFault: The scheduler is gone.
+        """
+        letter = packed_order(order, self._terms)
+        future = self._client.submit(done, letter, self._files, pure=False)
+        self._orders[ticket] = order, future
+        future.add_done_callback(lambda _: self._ended.put(ticket))
+
+    def news(self) -> Iterator[News]:
+        """Wait until something happens, and tell it.
+
+        Raises:
+            WorkerFault: The scheduler is gone, or cannot use what we sent.
+        """
+        if (ticket := self._next()) is not None:
+            order, future = self._orders.pop(ticket)
+            yield self._told(ticket, order, future)
+        if self._is_time_to_count():
+            yield from self._counted()
+
+    def _next(self) -> int | None:
+        try:
+            return self._ended.get(timeout=LOOK_SECONDS)
+        except Empty:
+            return None
+
+    def _told(self, ticket: int, order: Order, future: "Future[bytes]") -> News:
+        from distributed.scheduler import KilledWorker
+
+        try:
+            fault = future.exception()
+            answer = None if fault else future.result()
+        except (CancelledError, KilledWorker, OSError) as late:
+            fault = late
+        if fault is None:
+            return read_answer(answer, ticket, order)
+        if isinstance(fault, KilledWorker):
+            # Dask's own words are about its own ways; how often is all that matters here.
+            times = fault.allowed_failures + 1
+            return Gone(ticket, f"{times} workers of the cluster ended over it")
+        raise self._useless(fault)
+
+    def _is_time_to_count(self) -> bool:
+        return time.monotonic() >= self._counted_at + LOOK_SECONDS
+
+    def _counted(self) -> Iterator[Notice]:
+        """Count threads; say so if there is none, and when there are some again."""
+        self._counted_at = time.monotonic()
+        try:
+            threads = self._client.nthreads()
+        except (CancelledError, OSError, ValueError) as fault:
+            raise self._useless(fault) from fault
+        before, self._threads = self._threads, sum(threads.values())
+        if before != self._threads:
+            yield Notice(_worded(self._address, len(threads), self._threads))
+
+    def _useless(self, fault: BaseException) -> WorkerFault:
+        """Say that nothing can be graded there any more."""
+        if isinstance(fault, CancelledError | OSError | ValueError):
+            why = "does not answer any more"
+        else:
+            said = printable(f"{type(fault).__name__}: {fault}", LONGEST_FAULT)
+            why = (
+                "cannot do what it is asked, perhaps because the scheduler or a worker has no "
+                f"bvhgrade, or another one: {said}"
+            )
+        return WorkerFault(
+            f"the cluster {self._address} {why}\n"
+            "What was graded is kept, and the same command goes on."
+        )
+
+    def _close(self) -> None:
+        # What cannot be said any more need not be: the scheduler sees that we are gone.
+        with suppress(CancelledError, OSError):
+            self._client.close(timeout=PATIENCE_SECONDS)
+
+
+def _connected(address: str) -> "Client":
+    """Connect to a scheduler.
+
+    Raises:
+        MissingTool: Dask is not installed.
+        WorkerFault: The scheduler does not answer.
+    """
+    try:
+        from distributed import Client
+    except ImportError as fault:
+        raise MissingTool(
+            f"{fault}; --scheduler needs Dask: pip install 'bvhgrade[cluster]'"
+        ) from fault
+    # What it logs is about lost connections, which we word ourselves.
+    logging.getLogger("distributed").setLevel(logging.CRITICAL)
+    try:
+        with warnings.catch_warnings():
+            # It warns of other versions of anything; we look at those that matter.
+            warnings.simplefilter("ignore")
+            return Client(address, timeout=PATIENCE_SECONDS, set_as_default=False)
+    except (OSError, ValueError, TypeError, ImportError, RuntimeError) as fault:
+        raise WorkerFault(
+            f"the cluster {address} cannot be reached: {printable(str(fault), LONGEST_FAULT)}"
+        ) from fault
+
+
+def _require_versions(client: "Client", address: str) -> None:
+    """Demand the same Dask everywhere, or it fails later, in words that nobody understands.
+
+    Raises:
+        WorkerFault: It is another one somewhere.
+    """
+    found = client.get_versions()
+    ours = _version(found["client"])
+    others = {address: found["scheduler"], **found["workers"]}
+    for name, told in others.items():
+        if _version(told) != ours:
+            raise WorkerFault(
+                f"{printable(name)} has {_version(told)}, but this machine has {ours}; install "
+                "the same on all machines of the cluster"
+            )
+
+
+def _version(told: Any) -> str:  # noqa: ANN401 - Dask's own shape
+    python = ".".join(str(part) for part in told["host"]["python"].split(".")[:2])
+    return f"Python {python} with distributed {told['packages']['distributed']}"
+
+
+def _worded(address: str, workers: int, threads: int) -> str:
+    if not threads:
+        return f"the cluster {address} has no worker; waiting for one"
+    return (
+        f"the cluster {address} has {workers:,} workers for {threads:,} submissions at a time"
+    )
