@@ -10,6 +10,7 @@ is kept, and the same command goes on.
 
 import hashlib
 import logging
+import secrets
 import time
 import warnings
 from collections.abc import Iterator
@@ -24,8 +25,8 @@ from grader.batch.job import Job
 from grader.batch.parcel import Terms, packed_files, packed_order, read_answer
 from grader.batch.work import Order
 from grader.errors import MissingTool, UsageError, WorkerFault
-from grader.plain import printable
-from grader.sandbox.office import Gone, News, Notice
+from grader.plain import as_name, printable
+from grader.sandbox.office import Gone, News, Notice, Told
 
 if TYPE_CHECKING:
     from distributed import Client, Future
@@ -66,9 +67,9 @@ class Cluster:
         self._most = job.clerks
         self._own = packed_files(job.wish.rubric)
         digest = hashlib.sha256(self._own).hexdigest() if self._own else ""
-        self._terms = Terms(job.entry, seconds, digest)
+        self._terms = Terms(job.entry, seconds, digest, f"bvhgrade-{secrets.token_hex(8)}")
         self._orders: dict[int, tuple[Order, Future[bytes]]] = {}
-        self._ended: SimpleQueue[int] = SimpleQueue()
+        self._heard: SimpleQueue[int | Told | Notice] = SimpleQueue()
         self._threads, self._counted_at = -1, 0.0
 
     def __enter__(self) -> Self:
@@ -81,8 +82,9 @@ class Cluster:
         self._client = _connected(self._address)
         try:
             _require_versions(self._client, self._address)
-            # A task like the others, so that Dask makes it anew if the worker that has it dies.
-            self._files = self._client.submit(bytes, self._own) if self._own else b""
+            self._client.subscribe_topic(self._terms.topic, self._hear)
+            self._files = self._sent()
+            self._count()
         except BaseException:
             self._close()
             raise
@@ -118,10 +120,15 @@ class Cluster:
         Raises:
             WorkerFault: The scheduler is gone.
         """
+        from distributed.client import ClosedClientError
+
         letter = packed_order(order, self._terms)
-        future = self._client.submit(done, letter, self._files, pure=False)
+        try:
+            future = self._client.submit(done, ticket, letter, self._files, pure=False)
+        except ClosedClientError as fault:
+            raise self._useless(fault) from fault
         self._orders[ticket] = order, future
-        future.add_done_callback(lambda _: self._ended.put(ticket))
+        future.add_done_callback(lambda _: self._heard.put(ticket))
 
     def news(self) -> Iterator[News]:
         """Wait until something happens, and tell it.
@@ -129,19 +136,22 @@ class Cluster:
         Raises:
             WorkerFault: The scheduler is gone, or cannot use what we sent.
         """
-        if (ticket := self._next()) is not None:
-            order, future = self._orders.pop(ticket)
-            yield self._told(ticket, order, future)
-        if self._is_time_to_count():
-            yield from self._counted()
+        with suppress(Empty):
+            heard = self._heard.get(timeout=LOOK_SECONDS)
+            if isinstance(heard, int):
+                yield self._ended(heard, *self._orders.pop(heard))
+            elif isinstance(heard, Notice) or heard.ticket in self._orders:
+                yield heard
+        if time.monotonic() >= self._counted_at + LOOK_SECONDS:
+            self._count()
 
-    def _next(self) -> int | None:
-        try:
-            return self._ended.get(timeout=LOOK_SECONDS)
-        except Empty:
-            return None
+    def _hear(self, event: tuple[float, object]) -> None:
+        """Pass on, from another thread, how far a worker says it is."""
+        match event[1]:
+            case [int(ticket), str(what)]:
+                self._heard.put(Told(ticket, as_name(what)))
 
-    def _told(self, ticket: int, order: Order, future: "Future[bytes]") -> News:
+    def _ended(self, ticket: int, order: Order, future: "Future[bytes]") -> News:
         from distributed.scheduler import KilledWorker
 
         try:
@@ -157,11 +167,18 @@ class Cluster:
             return Gone(ticket, f"{times} workers of the cluster ended over it")
         raise self._useless(fault)
 
-    def _is_time_to_count(self) -> bool:
-        return time.monotonic() >= self._counted_at + LOOK_SECONDS
+    def _sent(self) -> "bytes | Future[bytes]":
+        """Send the instructor's own files once, and not with each order.
 
-    def _counted(self) -> Iterator[Notice]:
-        """Count threads; say so if there is none, and when there are some again."""
+        A task like the others, so that Dask makes it anew if the worker that holds it dies.
+        """
+        with warnings.catch_warnings():
+            # Dask finds it large.
+            warnings.simplefilter("ignore")
+            return self._client.submit(bytes, self._own) if self._own else self._own
+
+    def _count(self) -> None:
+        """Count threads, and say so if they have become more or fewer."""
         self._counted_at = time.monotonic()
         try:
             threads = self._client.nthreads()
@@ -169,21 +186,17 @@ class Cluster:
             raise self._useless(fault) from fault
         before, self._threads = self._threads, sum(threads.values())
         if before != self._threads:
-            yield Notice(_worded(self._address, len(threads), self._threads))
+            said = _worded(self._address, len(threads), self._threads)
+            self._heard.put(Notice(said))
 
     def _useless(self, fault: BaseException) -> WorkerFault:
         """Say that nothing can be graded there any more."""
-        if isinstance(fault, CancelledError | OSError | ValueError):
-            why = "does not answer any more"
-        else:
-            said = printable(f"{type(fault).__name__}: {fault}", LONGEST_FAULT)
-            why = (
-                "cannot do what it is asked, perhaps because the scheduler or a worker has no "
-                f"bvhgrade, or another one: {said}"
-            )
+        if self._client.status != "running" or isinstance(fault, CancelledError | OSError):
+            return WorkerFault(f"the cluster {self._address} does not answer any more")
+        said = printable(f"{type(fault).__name__}: {fault}", LONGEST_FAULT)
         return WorkerFault(
-            f"the cluster {self._address} {why}\n"
-            "What was graded is kept, and the same command goes on."
+            f"the cluster {self._address} cannot do what it is asked, perhaps because its "
+            f"scheduler or a worker has no bvhgrade, or another one: {said}"
         )
 
     def _close(self) -> None:
@@ -224,7 +237,7 @@ def _require_versions(client: "Client", address: str) -> None:
     Raises:
         WorkerFault: It is another one somewhere.
     """
-    found = client.get_versions()
+    found: Any = client.get_versions()
     ours = _version(found["client"])
     others = {address: found["scheduler"], **found["workers"]}
     for name, told in others.items():
@@ -243,6 +256,4 @@ def _version(told: Any) -> str:  # noqa: ANN401 - Dask's own shape
 def _worded(address: str, workers: int, threads: int) -> str:
     if not threads:
         return f"the cluster {address} has no worker; waiting for one"
-    return (
-        f"the cluster {address} has {workers:,} workers for {threads:,} submissions at a time"
-    )
+    return f"the cluster {address}: workers {workers:,}, submissions at a time {threads:,}"

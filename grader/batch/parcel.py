@@ -51,6 +51,9 @@ class Terms:
     own_sha256: str
     """Of the archive of own files; empty if there are none."""
 
+    topic: str
+    """Under which a worker tells how far it is."""
+
 
 def packed_order(order: Order, terms: Terms) -> bytes:
     """Write down an order, without its own files."""
@@ -161,10 +164,11 @@ def _result(told: dict[str, Any], order: Order) -> Result:
     for each in attachments:
         match each:
             case [str(name), str(content)] if name in allowed and name not in files:
-                parsed_json(content.encode(), as_name(name), 1)
                 files[name] = content
             case _:
                 raise UsageError("a file came back that no result has")
+    if VIEWS in files:
+        parsed_json(files[VIEWS].encode(), f"{VIEWS} that came back", 1)
     return Result(text, tuple(files.items()))
 
 

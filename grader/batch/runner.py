@@ -19,7 +19,7 @@ from grader.batch.slug import slug
 from grader.batch.store import Store
 from grader.batch.table import Totals, write_table
 from grader.batch.work import Failed, Order, Refused
-from grader.errors import GraderError, OutputFault, WorkerFault
+from grader.errors import GraderError, MissingTool, OutputFault, WorkerFault
 from grader.intake.handed_in import handed_in
 from grader.model.stages import Rejected
 from grader.plain import as_name
@@ -135,7 +135,7 @@ class Batch:
             office.give(
                 ticket, Order(student.submission(source), self.job.wish, self.job.settings)
             )
-        except GraderError as fault:
+        except (MissingTool, OutputFault) as fault:
             self._failed(ticket, str(fault))
             return
         self.attempts[ticket] = self.attempts.get(ticket, 0) + 1
@@ -158,8 +158,7 @@ class Batch:
         if self.attempts[news.ticket] < ATTEMPTS:
             self.again.append(news.ticket)
             return
-        times = f"the process that graded it ended {ATTEMPTS} times"
-        self._failed(news.ticket, f"{times}: {news.why}")
+        self._failed(news.ticket, f"it was tried {ATTEMPTS} times: {news.why}")
 
     def _done(self, news: Done) -> None:
         student = self._leave(news.ticket)

@@ -49,7 +49,7 @@ def graded(order: Order, tell: Callable[[str], None]) -> Result | Failed | Refus
         order: What and how.
         tell: Is told each stage as it begins.
     """
-    if why := _differences(order.wish, order.settings):
+    if why := differences(order.wish, order.settings):
         return Refused(why)
     told = ""
 
@@ -69,7 +69,7 @@ def graded(order: Order, tell: Callable[[str], None]) -> Result | Failed | Refus
 
 
 @cache
-def _differences(wish: Wish, settings: Settings) -> str:
+def differences(wish: Wish, settings: Settings) -> str:
     """Say what decides a grade here that is not so for the class; empty if nothing."""
     try:
         changes = "; ".join(settings.changes(settled(wish)))

@@ -49,12 +49,12 @@ MOST_NAMED = 5
 @click.option(
     "--jobs",
     type=click.IntRange(1, 256),
-    help="Submissions at a time (default: one for two processors; on a cluster two a thread).",
+    help="Submissions at a time (default: as many as keep all busy).",
 )
 @click.option(
     "--scheduler",
     metavar="ADDRESS",
-    help="Grade on the Dask cluster at this tcp:// or tls:// address (docs/scale.md).",
+    help="Grade on the Dask cluster there (docs/scale.md).",
 )
 @click.option("--regrade", is_flag=True, help="Show who would change and why; keep all.")
 @click.option("--apply", is_flag=True, help="With --regrade: make it the class's results.")
@@ -107,9 +107,11 @@ def graded(path: Path, job: "Job") -> int:
                 batch.read(class_)
                 batch.grade()
                 totals = batch.write()
-            except WorkerFault:
+            except WorkerFault as fault:
                 batch.tabulate()
-                raise
+                watch.say(f"bvhgrade: {fault}")
+                watch.say("what was graded is kept, and the same command goes on")
+                return OUR_FAULT
             except KeyboardInterrupt as fault:
                 batch.tabulate()
                 watch.say("interrupted; what was graded is kept, and the same command goes on")

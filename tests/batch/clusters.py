@@ -11,7 +11,7 @@ from pathlib import Path
 
 from tests.cli.test_processes import environment
 
-PATIENCE = 120.0
+PATIENCE = 400.0
 HERE = ("--host", "127.0.0.1", "--dashboard-address", "127.0.0.1:0")
 
 Process = subprocess.Popen[bytes]
@@ -43,7 +43,7 @@ class Machines:
         self.address = json.loads(told.read_text())["address"]
 
     def hire(self, count: int = 1, **more: str) -> None:
-        """Start workers, of one thread each."""
+        """Start workers of one thread each, which a lost connection ends."""
         for _ in range(count):
             scratch = ("--local-directory", str(self.folder))
             words = (self.address, "--nthreads", "1", "--no-nanny", *scratch)
@@ -71,7 +71,7 @@ class Machines:
 
 
 @contextmanager
-def machines(folder: Path, workers: int = 2, **given: str) -> Iterator[Machines]:
+def machines(folder: Path, workers: int = 2, /, **given: str) -> Iterator[Machines]:
     """Start a cluster, and end it with the block."""
     folder.mkdir(exist_ok=True)
     cluster = Machines(folder, given)

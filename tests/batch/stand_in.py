@@ -1,8 +1,8 @@
 """Stands in for the pipeline: what a clerk does with a submission is what its text says.
 
-`die` ends the clerk; `die once` only the first time; `raise` is a fault of ours; `wait` never
-ends; `wrong` loses points, `moody` with another seed; anything else is a perfect grade. As a
-program it grades a class so, in a whole process.
+`die` ends the clerk; `raise` is a fault of ours; `wait` never ends; `die once` and `wait once`
+do so only the first time; `wrong` loses points, `moody` with another seed; anything else is a
+perfect grade. As a program it grades a class so, in a whole process.
 """
 
 import os
@@ -15,7 +15,7 @@ from pathlib import Path
 
 from grader.batch.job import Job
 from grader.batch.settings import Settings, Wish
-from grader.batch.work import Failed, Order
+from grader.batch.work import Failed, Order, Refused, differences
 from grader.kept import Result, kept
 from grader.model.stages import Submission
 from tests.report import samples
@@ -51,20 +51,34 @@ def graded(order: Order, tell: Callable[[str], None]) -> Result | Failed:
         os.kill(os.getpid(), signal.SIGKILL)
     if text == "raise":
         return Failed("no more [bold]file descriptors")
-    while text == "wait":
+    while text == "wait" or (text == "wait once" and text not in before):
         time.sleep(1)
     loses = text == "wrong" or (text == "moody" and order.wish.seed != SETTINGS.seed)
     sample = samples.failing() if loses else samples.perfect()
-    return kept(replace(sample, submission=order.submission))
+    given = order.settings
+    provenance = replace(
+        sample.provenance,
+        rubric_sha256=given.rubric_sha256,
+        scenes_sha256=given.scenes_sha256,
+        seed=given.seed,
+        isolation=given.isolation,
+    )
+    return kept(replace(sample, submission=order.submission, provenance=provenance))
 
 
-def main(source: str, folder: str) -> int:
+def careful(order: Order, tell: Callable[[str], None]) -> Result | Failed | Refused:
+    """Do so only if the installation here would grade as the class is graded."""
+    why = differences(order.wish, order.settings)
+    return Refused(why) if why else graded(order, tell)
+
+
+def main(source: str, folder: str, scheduler: str | None = None) -> int:
     """Grade a class in this process, as the command does."""
     from grader.cli.batch import graded as grade_class
     from grader.cli.interrupts import interruptible
 
     with interruptible():
-        return grade_class(Path(source), job(Path(folder)))
+        return grade_class(Path(source), job(Path(folder), scheduler=scheduler))
 
 
 if __name__ == "__main__":

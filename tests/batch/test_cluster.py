@@ -1,21 +1,141 @@
-"""A class is graded by a cluster as by this machine, whatever happens to one of its workers."""
+"""A class is graded by a cluster as by this machine, whatever happens to the machines."""
 
+import shutil
+from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
-from tests.batch.classes import CODE, folder_of, grade, points
-from tests.batch.clusters import machines
-from tests.batch.stand_in import LOG, begun, job
+import pytest
+
+from grader.batch.cluster import Cluster
+from grader.batch.settings import settled
+from grader.errors import UsageError, WorkerFault
+from grader.sandbox.office import News
+from grader.score.rubric import SHIPPED
+from tests.batch.classes import CODE, Json, folder_of, grade, points, results
+from tests.batch.clusters import Machines, machines
+from tests.batch.stand_in import LOG, WISH, begun, job
+from tests.oracle.own import own_folder
+
+pytestmark = pytest.mark.xdist_group("cluster")
+
+CAREFUL = "tests.batch.stand_in:careful"
 
 
-def test_a_class_is_graded_by_two_workers(tmp_path: Path, log: Path) -> None:
-    """With all that may happen to one submission."""
+@pytest.fixture(scope="module")
+def shared(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Machines]:
+    """Two workers for all tests that kill none of them."""
+    folder = tmp_path_factory.mktemp("machines")
+    with machines(folder, **{LOG: str(folder / "log")}) as cluster:
+        yield cluster
+
+
+@pytest.fixture
+def log(shared: Machines, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Name the file in which the stand-in writes, wherever it grades."""
+    monkeypatch.setenv(LOG, shared.given[LOG])
+    return Path(shared.given[LOG])
+
+
+def comparable(folder: Path) -> dict[str, Json]:
+    """What has to be the same, wherever a class was graded."""
+    found = results(folder)
+    for result in found.values():
+        del result["timing"], result["provenance"]["cpu"]
+    return found
+
+
+def test_results_are_those_of_this_machine(
+    tmp_path: Path, shared: Machines, log: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """With all that may happen to one submission, and never a whole class under way."""
     texts = {"ada": CODE, "bob": "wrong", "cy": "raise", "dan": "die", "eve": "die once"}
+    texts |= {f"s{number}": f"code {number}" for number in range(12)}
     path = folder_of(tmp_path, "class", {f"{name}.cpp": text for name, text in texts.items()})
-    with machines(tmp_path / "machines", **{LOG: str(log)}) as cluster:
-        totals, seen = grade(path, job(tmp_path / "out", None, cluster.address))
-        print(cluster.said())
-    print(seen.notices, seen.troubles)
-    assert (totals.graded, totals.withheld) == (3, 2)
-    found = points(tmp_path / "out")
-    assert (found["ada"], found["cy"], found["dan"], found["eve"]) == (50, None, None, 50)
-    assert begun(log).count("die") == 2
+    under_way, real = set(), Cluster.news
+
+    def seen_news(self: Cluster) -> Iterator[News]:
+        under_way.add(self.busy)
+        return real(self)
+
+    monkeypatch.setattr(Cluster, "news", seen_news)
+    totals, seen = grade(path, job(tmp_path / "far", None, shared.address))
+    assert (totals.graded, totals.withheld) == (15, 2)
+    assert seen.stages == {"[red]tracing[/red]"}
+    assert max(under_way) == 4
+    assert [said.partition(":")[0] for said in seen.troubles] == ["cy", "dan"]
+    assert "SIGKILL" in seen.troubles[1]
+    counts = {text: begun(log).count(text) for text in ("raise", "die", "die once", "code 3")}
+    assert counts == {"raise": 1, "die": 2, "die once": 2, "code 3": 1}
+    grade(path, job(tmp_path / "near"))
+    far, near = comparable(tmp_path / "far"), comparable(tmp_path / "near")
+    for one in (far, near):
+        # Why it was us differs: there it names a worker.
+        del one["dan"]
+    assert far == near
+
+
+def test_own_scenes_travel_with_the_submissions(
+    tmp_path: Path, shared: Machines, log: Path
+) -> None:
+    """A worker sees none of our folders; what it unpacks has the same digests."""
+    own_folder(tmp_path)
+    rubric = tmp_path / "rubric.toml"
+    rubric.write_text(SHIPPED.read_text() + '[scenes]\nfolder = "ours"\n')
+    wish = replace(WISH, rubric=rubric)
+    given = replace(job(tmp_path / "out", None, shared.address), wish=wish, entry=CAREFUL)
+    path = folder_of(tmp_path, "class", {"ada.cpp": "with our scenes", "bob.cpp": "and again"})
+    totals, seen = grade(path, replace(given, settings=settled(wish)))
+    assert totals.graded == 2, seen.troubles
+
+
+def test_a_worker_with_another_grader_refuses(
+    tmp_path: Path, shared: Machines, log: Path
+) -> None:
+    """It names what differs; nothing is withheld, and the right one goes on."""
+    given = replace(job(tmp_path / "out", None, shared.address), wish=WISH, entry=CAREFUL)
+    path = folder_of(tmp_path, "class", {"ada.cpp": "after a refusal"})
+    right = settled(WISH)
+    other = replace(right, grader="0.0 (another)", scenes_sha256="0" * 64)
+    with pytest.raises(WorkerFault) as fault:
+        grade(path, replace(given, settings=other))
+    said = str(fault.value)
+    assert said.startswith("worker tcp://127.0.0.1:")
+    assert f"grader: 0.0 (another) -> {right.grader}; scenes sha256: 000000000000 -> " in said
+    assert points(tmp_path / "out") == {}
+    totals, _ = grade(path, replace(given, folder=tmp_path / "new", settings=right))
+    assert totals.graded == 1
+
+
+def test_a_worker_that_cannot_isolate_refuses(tmp_path: Path, log: Path) -> None:
+    """As `grade` does there; the other one's results would have been taken."""
+    programs = tmp_path / "programs"
+    programs.mkdir()
+    compiler = shutil.which("g++")
+    assert compiler is not None
+    (programs / "g++").symlink_to(compiler)
+    wish = replace(WISH, isolated=True)
+    given = replace(job(tmp_path / "out"), wish=wish, settings=settled(wish), entry=CAREFUL)
+    path = folder_of(tmp_path, "class", {"ada.cpp": "isolated"})
+    with machines(tmp_path / "machines", 0, **{LOG: str(log)}) as cluster:
+        cluster.hire(PATH=str(programs), BVHGRADE_ISOLATION="A")
+        with pytest.raises(WorkerFault, match="bubblewrap is not installed"):
+            grade(path, replace(given, scheduler=cluster.address))
+
+
+def test_an_address_that_is_none_is_wrong_usage(tmp_path: Path) -> None:
+    """Before anything is connected to."""
+    path = folder_of(tmp_path, "class", {"ada.cpp": CODE})
+    with pytest.raises(UsageError, match="tcp:// or tls://"):
+        grade(path, job(tmp_path / "out", None, "localhost:8786"))
+
+
+@pytest.mark.parametrize("address", ["tcp://127.0.0.1:1", "tls://127.0.0.1:1", "tcp://:x"])
+def test_a_scheduler_that_cannot_be_reached_is_told(
+    tmp_path: Path, address: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Nobody listens, nobody gave us certificates, nobody can read that."""
+    monkeypatch.setattr("grader.batch.cluster.PATIENCE_SECONDS", 1.0)
+    path = folder_of(tmp_path, "class", {"ada.cpp": CODE})
+    with pytest.raises(WorkerFault, match="cannot be reached"):
+        grade(path, job(tmp_path / "out", None, address))

@@ -18,9 +18,10 @@ from tests.cli.test_processes import environment
 PATIENCE = 60.0
 
 
-def started(path: Path, log: Path) -> subprocess.Popen[bytes]:
+def started(path: Path, log: Path, *where: str) -> subprocess.Popen[bytes]:
     """Begin to grade a class in a process of its own."""
-    words = [sys.executable, "-m", "tests.batch.stand_in", str(path), str(log.parent / "out")]
+    program = [sys.executable, "-m", "tests.batch.stand_in"]
+    words = [*program, str(path), str(log.parent / "out"), *where]
     given = environment(**{LOG: str(log), "PYTHONWARNINGS": "ignore"})
     return subprocess.Popen(words, env=given, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
 
