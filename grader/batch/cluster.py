@@ -18,7 +18,7 @@ from concurrent.futures import CancelledError
 from contextlib import suppress
 from queue import Empty, SimpleQueue
 from types import TracebackType
-from typing import TYPE_CHECKING, Any, Self
+from typing import TYPE_CHECKING, Any, Protocol, Self
 
 from grader.batch.branch import done
 from grader.batch.job import Job
@@ -44,6 +44,13 @@ LONGEST_FAULT = 400
 """Characters of what Dask says that are shown."""
 
 PROTOCOLS = ("tcp://", "tls://")
+
+
+class Versioned(Protocol):
+    """Knows what is installed on the machines of a cluster; a client of Dask does."""
+
+    def get_versions(self) -> Any:  # noqa: ANN401 - Dask's own shape
+        """Ask all of them."""
 
 
 class Cluster:
@@ -81,7 +88,7 @@ class Cluster:
         """
         self._client = _connected(self._address)
         try:
-            _require_versions(self._client, self._address)
+            require_versions(self._client, self._address)
             self._client.subscribe_topic(self._terms.topic, self._hear)
             self._files = self._sent()
             self._count()
@@ -231,13 +238,13 @@ def _connected(address: str) -> "Client":
         ) from fault
 
 
-def _require_versions(client: "Client", address: str) -> None:
+def require_versions(client: Versioned, address: str) -> None:
     """Demand the same Dask everywhere, or it fails later, in words that nobody understands.
 
     Raises:
         WorkerFault: It is another one somewhere.
     """
-    found: Any = client.get_versions()
+    found = client.get_versions()
     ours = _version(found["client"])
     others = {address: found["scheduler"], **found["workers"]}
     for name, told in others.items():

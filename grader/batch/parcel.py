@@ -26,6 +26,9 @@ from grader.report.facts import counterexample_file
 from grader.sandbox.office import Done, Gone
 from grader.selection import select
 
+NOBODY, FILE = "submission", "exercise03.cpp"
+"""What a submission is called where nobody has to know whose it is."""
+
 RUBRIC = "rubric.toml"
 
 _KINDS = {".toml", ".npz", ".exr", ".answers"}
@@ -56,14 +59,15 @@ class Terms:
 
 
 def packed_order(order: Order, terms: Terms) -> bytes:
-    """Write down an order, without its own files."""
+    """Write down an order, without own files, and without anybody's name.
+
+    A result's folder gets name and path from the store, whatever the result itself says.
+    """
     given = order.submission
     if not isinstance(given, Submission):
         raise AssertionError("what holds no file is not given away")
     told = {
         "terms": asdict(terms),
-        "student": given.student,
-        "path": given.path,
         "source": base64.b64encode(given.source).decode(),
         "seed": order.wish.seed,
         "time_limit": order.wish.time_limit,
@@ -74,11 +78,11 @@ def packed_order(order: Order, terms: Terms) -> bytes:
 
 
 def read_order(letter: bytes) -> tuple[Order, Terms]:
-    """Read what `packed_order` wrote; it names no rubric, which lies elsewhere here."""
+    """Read what `packed_order` wrote; where the rubric lies here is not known yet."""
     told = json.loads(letter)
     source = base64.b64decode(told["source"])
     digest = hashlib.sha256(source).hexdigest()
-    submission = Submission(told["student"], told["path"], source, digest)
+    submission = Submission(NOBODY, FILE, source, digest)
     wish = Wish(told["seed"], None, told["time_limit"], told["isolated"])
     return Order(submission, wish, Settings(**told["settings"])), Terms(**told["terms"])
 

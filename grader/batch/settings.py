@@ -6,6 +6,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 import grader
+from grader.build.compiler import find_compiler
 from grader.errors import UsageError
 from grader.identity import WITHOUT_RESULT, grader_digest
 from grader.options import Options
@@ -45,8 +46,9 @@ class Settings:
     """Two submissions with the same bytes and the same of this get the same grade."""
 
     grader: str
-    """Version, and a digest of all that a result depends on: whoever works on the grader, or
-    gets another compiler, gets other results with the same version."""
+    """Version, a digest of all that a result depends on, and the compiler, which that covers:
+    whoever works on the grader, or gets another compiler, gets other results with the same
+    version."""
 
     rubric_sha256: str
     scenes_sha256: str
@@ -94,7 +96,7 @@ def settled(wish: Wish) -> Settings:
     """
     options, rubric = wish.options(), select(wish.rubric, ()).rubric
     return Settings(
-        f"{grader.__version__} ({grader_digest(WITHOUT_RESULT)})",
+        f"{grader.__version__} ({grader_digest(WITHOUT_RESULT)}, {find_compiler().title})",
         rubric.sha256,
         scenes_sha256(rubric.scenes),
         wish.seed,

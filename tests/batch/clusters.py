@@ -11,7 +11,7 @@ from pathlib import Path
 
 from tests.cli.test_processes import environment
 
-PATIENCE = 400.0
+PATIENCE = 300.0
 HERE = ("--host", "127.0.0.1", "--dashboard-address", "127.0.0.1:0")
 
 Process = subprocess.Popen[bytes]
@@ -29,13 +29,15 @@ class Machines:
     scheduler: Process | None = None
     workers: list[Process] = field(default_factory=list)
 
-    def begin(self, *words: str) -> None:
-        """Start the scheduler."""
+    def begin(self, before: str = "") -> None:
+        """Start the scheduler, after a line of Python, in place of the one before."""
+        if self.scheduler is not None:
+            self.scheduler.kill()
+            self.scheduler.wait()
         told = self.folder / "scheduler.json"
         told.unlink(missing_ok=True)
-        self.scheduler = self._started(
-            "dask_scheduler", "--port", "0", "--scheduler-file", str(told), *words
-        )
+        code = f"{before}\nfrom distributed.cli.dask_scheduler import main; main()"
+        self.scheduler = self._started(code, "--port", "0", "--scheduler-file", str(told))
         deadline = time.monotonic() + PATIENCE
         while not told.exists() or not told.read_text():
             assert time.monotonic() < deadline, self.said()
@@ -47,7 +49,8 @@ class Machines:
         for _ in range(count):
             scratch = ("--local-directory", str(self.folder))
             words = (self.address, "--nthreads", "1", "--no-nanny", *scratch)
-            self.workers.append(self._started("dask_worker", *words, **more))
+            code = "from distributed.cli.dask_worker import main; main()"
+            self.workers.append(self._started(code, *words, **more))
 
     def said(self) -> str:
         """What all of them printed."""
@@ -59,10 +62,10 @@ class Machines:
             process.kill()
             process.wait()
 
-    def _started(self, program: str, *words: str, **more: str) -> Process:
+    def _started(self, code: str, *words: str, **more: str) -> Process:
         with (self.folder / "said").open("ab") as said:
             return subprocess.Popen(
-                [sys.executable, "-m", f"distributed.cli.{program}", *HERE, *words],
+                [sys.executable, "-P", "-c", code, *HERE, *words],
                 env=environment(**self.given, **more),
                 stdin=subprocess.DEVNULL,
                 stdout=said,

@@ -29,7 +29,7 @@ from itertools import cycle
 from pathlib import Path
 from typing import Any
 
-from tests.batch.classes import results
+from tests.batch.classes import comparable
 from tests.batch.clusters import Machines, machines
 from tests.batch.processes import cpu_seconds, descendants, memory_peak, memory_sum, named
 from tests.cli.test_processes import environment
@@ -201,9 +201,7 @@ def measure(run: str, class_: Path, into: Path, students: int) -> Measured:
 
 def differing(first: Path, second: Path) -> list[str]:
     """Name the students whose results differ in more than times and the processor's name."""
-    before, after = results(first), results(second)
-    for found in (*before.values(), *after.values()):
-        del found["timing"], found["provenance"]["cpu"]
+    before, after = comparable(first), comparable(second)
     names = sorted({*before, *after})
     return [name for name in names if before.get(name) != after.get(name)]
 

@@ -41,7 +41,7 @@ def begun(log: Path) -> list[str]:
 def graded(order: Order, tell: Callable[[str], None]) -> Result | Failed:
     """Do what the submission says."""
     assert isinstance(order.submission, Submission)
-    text = order.submission.source.decode().strip()
+    text = order.submission.source.decode(errors="replace").strip()
     log = Path(os.environ[LOG])
     before = begun(log)
     with log.open("a") as file:

@@ -2,17 +2,17 @@
 
 import shutil
 from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import pytest
 
-from grader.batch.cluster import Cluster
+from grader.batch.cluster import Cluster, require_versions
 from grader.batch.settings import settled
 from grader.errors import UsageError, WorkerFault
 from grader.sandbox.office import News
 from grader.score.rubric import SHIPPED
-from tests.batch.classes import CODE, Json, folder_of, grade, points, results
+from tests.batch.classes import CODE, Json, comparable, folder_of, grade, points
 from tests.batch.clusters import Machines, machines
 from tests.batch.stand_in import LOG, WISH, begun, job
 from tests.oracle.own import own_folder
@@ -35,14 +35,6 @@ def log(shared: Machines, monkeypatch: pytest.MonkeyPatch) -> Path:
     """Name the file in which the stand-in writes, wherever it grades."""
     monkeypatch.setenv(LOG, shared.given[LOG])
     return Path(shared.given[LOG])
-
-
-def comparable(folder: Path) -> dict[str, Json]:
-    """What has to be the same, wherever a class was graded."""
-    found = results(folder)
-    for result in found.values():
-        del result["timing"], result["provenance"]["cpu"]
-    return found
 
 
 def test_results_are_those_of_this_machine(
@@ -121,6 +113,44 @@ def test_a_worker_that_cannot_isolate_refuses(tmp_path: Path, log: Path) -> None
         cluster.hire(PATH=str(programs), BVHGRADE_ISOLATION="A")
         with pytest.raises(WorkerFault, match="bubblewrap is not installed"):
             grade(path, replace(given, scheduler=cluster.address))
+
+
+def test_a_scheduler_without_bvhgrade_is_told(tmp_path: Path, log: Path) -> None:
+    """It reads what it passes on."""
+    path = folder_of(tmp_path, "class", {"ada.cpp": CODE})
+    with machines(tmp_path / "machines", 0, **{LOG: str(log)}) as cluster:
+        cluster.begin("import sys; sys.modules['grader'] = None")
+        cluster.hire()
+        with pytest.raises(WorkerFault, match="has no bvhgrade"):
+            grade(path, job(tmp_path / "out", None, cluster.address))
+
+
+@dataclass
+class Installed:
+    """A cluster, as far as it says what is installed there."""
+
+    scheduler: str
+    worker: str
+
+    def get_versions(self) -> Json:
+        """Answer as Dask does, shortened."""
+
+        def told(release: str) -> Json:
+            return {"host": {"python": "3.11.2.final.0"}, "packages": {"distributed": release}}
+
+        workers = {"tcp://10.0.0.7:1": told(self.worker)}
+        return {"client": told("2"), "scheduler": told(self.scheduler), "workers": workers}
+
+
+@pytest.mark.parametrize(
+    ("scheduler", "worker", "said"),
+    [("1", "2", "tcp://10.0.0.1"), ("2", "3", "tcp://10.0.0.7")],
+)
+def test_another_dask_is_told(scheduler: str, worker: str, said: str) -> None:
+    """Rather than that something fails later."""
+    require_versions(Installed("2", "2"), "tcp://10.0.0.1")
+    with pytest.raises(WorkerFault, match=f"{said}.* with distributed [13], but .* 2;"):
+        require_versions(Installed(scheduler, worker), "tcp://10.0.0.1")
 
 
 def test_an_address_that_is_none_is_wrong_usage(tmp_path: Path) -> None:

@@ -7,9 +7,11 @@ from pathlib import Path
 
 import pytest
 
-from tests.batch.classes import CODE, folder_of, points
+from tests.batch.classes import CODE, comparable, folder_of, points
 from tests.batch.clusters import PATIENCE, Machines, Process, machines
+from tests.batch.processes import descendants, named
 from tests.batch.stand_in import LOG, begun
+from tests.batch.test_command import RIGHT, WRONG, batch, typed
 from tests.batch.test_processes import clerks_of, started, until
 
 pytestmark = pytest.mark.xdist_group("cluster-processes")
@@ -91,3 +93,25 @@ def test_a_lost_scheduler_ends_the_command(tmp_path: Path, log: Path) -> None:
     assert status == 0, said
     assert points(tmp_path / "out") == ALL
     assert begun(log).count(CODE.strip()) == 1
+
+
+def test_real_submissions_get_the_same_grade(tmp_path: Path, cache: Path) -> None:
+    """One right, one wrong, one that does not compile; one of two workers dies over them."""
+    given = {
+        "Ada Lovelace_11_assignsubmission_file/exercise03.cpp": RIGHT,
+        "Ben Berg_12_assignsubmission_file/mine.cpp": WRONG,
+        "Cy Clo_13_assignsubmission_file/exercise03.cpp": b"int main() {",
+    }
+    path = folder_of(tmp_path, "class", given)
+    near = batch(path, "-o", tmp_path / "near", cache=cache)
+    assert near.returncode == 0, near.stderr
+    with machines(tmp_path / "machines", BVHGRADE_CACHE=str(cache)) as cluster:
+        words = [path, "-o", tmp_path / "far", "--scheduler", cluster.address]
+        process = typed(*words, cache=cache)
+        first = cluster.workers[0]
+        until(lambda: bool(named("grader.sandbox.clerk", descendants(first.pid))))
+        first.kill()
+        status, said = ended(process)
+    assert status == 0, said
+    assert "workers 2, submissions at a time 2" in said
+    assert comparable(tmp_path / "far") == comparable(tmp_path / "near")

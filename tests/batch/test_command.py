@@ -15,21 +15,27 @@ from tests.batch.stand_in import SETTINGS
 from tests.cli.test_processes import environment
 from tests.own_files import ROOT
 
+PATIENCE = 600.0
 SUBMISSIONS = ROOT / "tests/submissions"
 RIGHT = (SUBMISSIONS / "right/own-slab-test.cpp").read_bytes()
 WRONG = (SUBMISSIONS / "wrong/axis-always-x.cpp").read_bytes()
 
 
-def batch(*words: str | Path, cache: Path) -> subprocess.CompletedProcess[str]:
+def typed(*words: str | Path, cache: Path) -> subprocess.Popen[bytes]:
     """Type the command."""
-    return subprocess.run(
+    return subprocess.Popen(
         [sys.executable, "-m", "grader", "batch", *map(str, words)],
         env=environment(BVHGRADE_CACHE=str(cache)),
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=300,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
     )
+
+
+def batch(*words: str | Path, cache: Path) -> subprocess.CompletedProcess[str]:
+    """Type the command, and wait for its end."""
+    with typed(*words, cache=cache) as process:
+        out, err = process.communicate(timeout=PATIENCE)
+    return subprocess.CompletedProcess(words, process.returncode, out.decode(), err.decode())
 
 
 @pytest.mark.xdist_group("batch")

@@ -29,7 +29,7 @@ from tests.batch.stand_in import SETTINGS, WISH, graded
 from tests.oracle.own import own_folder
 
 SOURCE = "int ä;\r\n__main__\0".encode("latin-1")
-SUBMISSION = Submission("Äda", "a/b.cpp", SOURCE, hashlib.sha256(SOURCE).hexdigest())
+SUBMISSION = Submission("Äda", "äda/b.cpp", SOURCE, hashlib.sha256(SOURCE).hexdigest())
 ORDER = Order(SUBMISSION, WISH, SETTINGS)
 TERMS = Terms("tests.batch.stand_in:graded", 60.0, "", "topic")
 
@@ -44,9 +44,12 @@ def right(log: Path) -> dict[str, Any]:
     return told
 
 
-def test_an_order_arrives_as_it_was() -> None:
-    """Whatever bytes a submission has."""
-    assert read_order(packed_order(ORDER, TERMS)) == (ORDER, TERMS)
+def test_an_order_arrives_without_a_name() -> None:
+    """Whatever bytes a submission has; nobody there has to know whose they are."""
+    nameless = replace(SUBMISSION, student="submission", path="exercise03.cpp")
+    letter = packed_order(ORDER, TERMS)
+    assert read_order(letter) == (replace(ORDER, submission=nameless), TERMS)
+    assert b"b.cpp" not in letter
 
 
 @pytest.mark.parametrize(

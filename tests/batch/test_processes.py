@@ -15,7 +15,7 @@ from tests.batch.classes import CODE, folder_of, points
 from tests.batch.stand_in import LOG, begun
 from tests.cli.test_processes import environment
 
-PATIENCE = 60.0
+PATIENCE = 300.0
 
 
 def started(path: Path, log: Path, *where: str) -> subprocess.Popen[bytes]:
