@@ -142,5 +142,7 @@ def _close_all() -> None:
 def _close(over: list[_Branch]) -> None:
     for branch in over:
         with _lock:
+            if branch not in _branches:
+                continue
             _branches.remove(branch)
         branch.end()
