@@ -106,8 +106,8 @@ def test_real_submissions_get_the_same_grade(tmp_path: Path, cache: Path) -> Non
     near = batch(path, "-o", tmp_path / "near", cache=cache)
     assert near.returncode == 0, near.stderr
     with machines(tmp_path / "machines", BVHGRADE_CACHE=str(cache)) as cluster:
-        words = [path, "-o", tmp_path / "far", "--scheduler", cluster.address]
-        process = typed(*words, cache=cache)
+        where = ("--scheduler", cluster.address)
+        process = typed(path, "-o", tmp_path / "far", *where, cache=cache)
         first = cluster.workers[0]
         until(lambda: bool(named("grader.sandbox.clerk", descendants(first.pid))))
         first.kill()
