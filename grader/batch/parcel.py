@@ -21,21 +21,14 @@ from grader.gradebook.results import parsed_json, parsed_result
 from grader.kept import Result
 from grader.model.stages import Submission
 from grader.output import VIEWS
+from grader.package.archive import zipped
+from grader.package.course import RUBRIC, course_files
 from grader.plain import as_name
 from grader.report.facts import counterexample_file
 from grader.sandbox.office import Done, Gone
-from grader.selection import select
 
 NOBODY, FILE = "submission", "exercise03.cpp"
 """What a submission is called where nobody has to know whose it is."""
-
-RUBRIC = "rubric.toml"
-
-_KINDS = {".toml", ".npz", ".exr", ".answers"}
-"""Files of a folder of scenes that a grade looks at."""
-
-_NEVER = (1980, 1, 1, 0, 0, 0)
-"""The time of every entry, so that the same files are the same archive."""
 
 LARGEST_ANSWER = 64 << 20
 """Bytes of an answer; a result with all its pictures has a fiftieth of that."""
@@ -93,26 +86,7 @@ def packed_files(rubric: Path | None) -> bytes:
     Raises:
         UsageError: The rubric is wrong, or its scenes lie where no archive can hold them.
     """
-    if rubric is None:
-        return b""
-    files = {RUBRIC: rubric}
-    scenes = select(rubric, ()).rubric.scenes
-    if scenes is not None:
-        beside, folder = rubric.parent.resolve(), scenes.resolve()
-        if not folder.is_relative_to(beside) or not scenes.is_relative_to(rubric.parent):
-            raise UsageError(
-                f"{rubric}: the folder of its scenes is {folder}, but for a cluster it has to "
-                "be named as seen from the rubric, and to lie beside it"
-            )
-        inside = scenes.relative_to(rubric.parent)
-        for path in sorted(scenes.rglob("*")):
-            if path.suffix in _KINDS and path.is_file():
-                files[(inside / path.relative_to(scenes)).as_posix()] = path
-    packed = io.BytesIO()
-    with zipfile.ZipFile(packed, "w") as archive:
-        for name, path in files.items():
-            archive.writestr(zipfile.ZipInfo(name, _NEVER), path.read_bytes())
-    return packed.getvalue()
+    return b"" if rubric is None else zipped(course_files(rubric))
 
 
 def unpack_files(own: bytes, folder: Path) -> Path | None:

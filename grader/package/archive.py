@@ -54,7 +54,7 @@ def files_of(folder: Path, without: Iterable[str] = ()) -> tuple[Member, ...]:
     """Read all files of a folder, but nothing that a compiler or an interpreter left behind.
 
     Args:
-        folder: What to read; links are not followed.
+        folder: What to read.
         without: Names of folders at its top, and endings of files, to leave out.
     """
     left_out = frozenset(without)
@@ -62,7 +62,7 @@ def files_of(folder: Path, without: Iterable[str] = ()) -> tuple[Member, ...]:
     for path in sorted(folder.rglob("*")):
         inside = path.relative_to(folder)
         skipped = path.suffix in left_out or inside.parts[0] in left_out
-        if path.is_symlink() or not path.is_file() or skipped:
+        if not path.is_file() or skipped:
             continue
         if not any(part in LEFTOVERS for part in inside.parts):
             found.append(Member(inside.as_posix(), path.read_bytes(), _runs(path)))

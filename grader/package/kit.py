@@ -1,20 +1,17 @@
 """What has every host that grades? The grader, how to install it, and the course's choices."""
 
 import shlex
-import tomllib
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path, PurePath
 
 from grader.errors import UsageError
-from grader.package.archive import Member, below, files_of
+from grader.package.archive import Member, below
+from grader.package.course import RUBRIC, course_files
 from grader.package.wheel import own_wheel, pinned
-from grader.score.rubric import load_rubric
 
 FOLDER = "bvhgrade"
 """Of the kit in an archive."""
-
-RUBRIC = "rubric.toml"
 
 KEPT_NAMES = ("install.sh", "grade.sh", "environment.sh", "settings.sh", "constraints.txt")
 """Files of the kit, and of what it makes; a course's folder of scenes cannot be called so."""
@@ -62,8 +59,7 @@ def _members(choices: Choices, options: tuple[str, ...]) -> Iterator[Member]:
     yield Member("settings.sh", _settings(choices, options).encode())
     yield from below("wheels", [own_wheel(), *_wheels(choices.wheels)])
     if choices.rubric:
-        yield Member(RUBRIC, choices.rubric.read_bytes())
-        yield from own_scenes(choices.rubric)
+        yield from _course(choices.rubric)
 
 
 def _settings(choices: Choices, options: tuple[str, ...]) -> str:
@@ -77,27 +73,21 @@ def _settings(choices: Choices, options: tuple[str, ...]) -> str:
     return f"# Options of `bvhgrade grade` for this course.\nchosen=({' '.join(words)})\n"
 
 
-def own_scenes(rubric: Path) -> tuple[Member, ...]:
-    """Read a course's own scenes, at the place where its rubric will look for them.
+def _course(rubric: Path) -> tuple[Member, ...]:
+    """Read what belongs to a course.
 
     Raises:
-        UsageError: The rubric is wrong, or the folder is not below its own.
+        UsageError: The rubric is wrong, or its scenes are called like a part of the kit.
     """
-    folder = load_rubric(rubric).scenes
-    if folder is None:
-        return ()
-    inside = PurePath(tomllib.loads(rubric.read_text())["scenes"]["folder"])
-    if inside.is_absolute() or not inside.parts or ".." in inside.parts:
-        raise UsageError(
-            f"{rubric}: its scenes lie in {folder}, but they are packed together with it; "
-            "put that folder beside the rubric, and name it there without .. and /"
-        )
-    if inside.parts[0] in (*KEPT_NAMES, *KEPT_FOLDERS, RUBRIC):
-        raise UsageError(
-            f"{rubric}: its scenes lie in {inside}, but the package has something else of "
-            "that name; rename the folder"
-        )
-    return below(inside.as_posix(), files_of(folder))
+    files = course_files(rubric)
+    for one in files:
+        first = PurePath(one.name).parts[0]
+        if first in (*KEPT_NAMES, *KEPT_FOLDERS):
+            raise UsageError(
+                f"{rubric}: its scenes lie in {first}, but the package has something else of "
+                "that name; rename the folder"
+            )
+    return files
 
 
 def _wheels(folder: Path | None) -> tuple[Member, ...]:

@@ -34,7 +34,7 @@ def test_two_files_of_one_name_are_refused() -> None:
 
 
 def test_a_folder_is_read_without_what_tools_left_behind(tmp_path: Path) -> None:
-    """Caches, links and what the caller names stay out."""
+    """Caches and what the caller names stay out."""
     for name in (
         "kept.py",
         "deep/kept.sh",
@@ -47,7 +47,6 @@ def test_a_folder_is_read_without_what_tools_left_behind(tmp_path: Path) -> None
         path.parent.mkdir(exist_ok=True)
         path.write_text(name)
     (tmp_path / "deep/kept.sh").chmod(0o755)
-    (tmp_path / "link.py").symlink_to(tmp_path / "kept.py")
     found = files_of(tmp_path, ("build", ".ppm"))
     assert [(one.name, one.executable) for one in found] == [
         ("deep/kept.sh", True),
