@@ -31,6 +31,15 @@ def reference_source(package: Path = _PACKAGE) -> Path:
     return _folder("reference", package) / "src" / "exercise03.cpp"
 
 
+def fast_source(package: Path = _PACKAGE) -> Path:
+    """The model solution again, as fast as its tree allows.
+
+    Args:
+        package: Folder of the `grader` package; only tests name another one.
+    """
+    return _folder("reference", package) / "fast" / "exercise03.cpp"
+
+
 def scenes_folder(package: Path = _PACKAGE) -> Path:
     """Meshes and the references that Mitsuba rendered of them.
 

@@ -8,6 +8,7 @@ import click
 
 from grader import __version__
 from grader.cli.batch import batch
+from grader.cli.bench import bench
 from grader.cli.certify import certify
 from grader.cli.export import export
 from grader.cli.grading import check, grade
@@ -28,7 +29,7 @@ def cli() -> None:
 
 COMMANDS = (
     *(check, grade, batch, verify, report, export, similar),
-    *(package, scenes, doctor, schema, certify),
+    *(package, scenes, doctor, schema, certify, bench),
 )
 for command in COMMANDS:
     cli.add_command(command)

@@ -1,0 +1,1 @@
+"""How fast is the grader? Ratios, each measured inside one run, and what they cost by size."""

@@ -1,0 +1,112 @@
+"""How does the table become `docs/performance.md`, with its chart beside it?"""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+from grader.bench.chart import chart_of
+from grader.bench.drawing import png_of, svg_of
+from grader.bench.floor import FLOOR
+from grader.bench.reasons import REASONS
+from grader.bench.record import Reading, Table
+from grader.bench.scale import RAYS
+from grader.bench.shown import STATES, bound_of, ratio_of
+from grader.output import write_bytes_whole, write_whole
+
+NAME = "performance"
+REMEDY = "name another folder with --write"
+
+_HEAD = """# How fast the grader is
+
+`bvhgrade bench --write docs` measured and wrote this. Every number is a ratio of two things
+that took turns in one run, with the smallest and the largest of its rounds; CPU seconds are
+those of all processes, taken from outside. Another machine has other seconds and about the same
+ratios.
+"""
+
+
+def write(folder: Path, table: Table) -> tuple[Path, ...]:
+    """Write the text and the chart, as SVG and as PNG, and return their paths.
+
+    Raises:
+        OutputFault: One of them cannot be written.
+    """
+    drawing = chart_of(table)
+    text, svg, png = (folder / f"{NAME}.{ending}" for ending in ("md", "svg", "png"))
+    write_whole(text, markdown_of(table))
+    write_whole(svg, svg_of(drawing))
+    write_bytes_whole(png, png_of(drawing), REMEDY)
+    return text, svg, png
+
+
+def markdown_of(table: Table) -> str:
+    """Return the table as a page of documentation."""
+    parts = [
+        _HEAD,
+        f"{table.machine}.\n",
+        *_goals(table),
+        *_costs(table),
+        *_peers(table),
+        FLOOR,
+    ]
+    if table.is_quick:
+        parts.insert(
+            1, "**A quick run**: few rounds on a small mesh; it shows that all works.\n"
+        )
+    return "\n".join(parts)
+
+
+def _goals(table: Table) -> Iterator[str]:
+    yield "## Goals\n"
+    yield "| | ratio | goal | measured | | of |\n|---|---|---|---|---|---|"
+    for reading in table.readings:
+        goal = reading.goal
+        cells = [goal.number, goal.title, bound_of(reading), ratio_of(reading.ratio)]
+        cells += [STATES[reading.is_met], reading.detail]
+        yield f"| {' | '.join(cells)} |"
+    yield f"\n![Ratios and costs by size]({NAME}.svg)\n"
+    missed = [each for each in table.readings if each.is_met is False]
+    if missed:
+        yield "What is not met, and why:\n"
+        yield from map(_reason, missed)
+        yield ""
+
+
+def _reason(reading: Reading) -> str:
+    reason = REASONS.get(reading.goal.number, "no reason is known yet.")
+    return f"- **{reading.goal.number}, {reading.goal.title}**: {reason}"
+
+
+def _costs(table: Table) -> Iterator[str]:
+    if not table.sizes:
+        return
+    yield "## Cost by number of faces\n"
+    yield (
+        "The clear solution on a generated landscape: CPU seconds of one `construct`, of all "
+        f"checks of its tree, and of {RAYS:,} scattered rays; `grade` is the time on the clock "
+        "of one worker for the tree, the checks, and one worker for the rays.\n"
+    )
+    yield "| faces | construct | check | rays | grade |\n|---:|---:|---:|---:|---:|"
+    for size in table.sizes:
+        costs = (size.construct, size.check, size.rays, size.whole)
+        yield f"| {size.faces:,} | " + " | ".join(f"{cost:.3f} s" for cost in costs) + " |"
+    if table.growths:
+        grown = ", ".join(f"{each.what} {each.exponent:.2f}" for each in table.growths)
+        yield f"\nFitted exponents (cost = factor x faces^exponent): {grown}."
+    for peak in table.peaks:
+        yield (
+            f"\nLargest resident memory of a {peak.what}: {peak.grader_mib:,.0f} MiB in the "
+            f"grader, {peak.child_mib:,.0f} MiB in the largest process that it starts."
+        )
+    yield ""
+
+
+def _peers(table: Table) -> Iterator[str]:
+    if table.peers:
+        yield "## Other ray tracers in Python\n"
+        yield "| | scene, CPU | camera, Mray/s | scattered, Mray/s |\n|---|---:|---:|---:|"
+        for peer in table.peers:
+            speeds = f"{peer.camera:.3g} | {peer.scattered:.3g}"
+            yield f"| {peer.name} | {peer.construct:.2f} s | {speeds} |"
+        yield ""
+    if table.remarks:
+        yield "Not compared: " + "; ".join(table.remarks) + ".\n"

@@ -1,0 +1,1 @@
+"""Programs that time another ray tracer, each in a process of its own; none is imported."""

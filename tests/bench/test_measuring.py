@@ -1,0 +1,58 @@
+"""A tiny bench runs from end to end. How long anything takes is nobody's test."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from grader.bench import compiling, scale, solutions
+from grader.bench.boxes import Timer
+from grader.bench.libraries import Libraries, build_libraries
+from grader.bench.record import Reading
+from grader.oracle.generated import landscape
+from grader.sandbox.nursery import Nursery
+from grader.sandbox.scratch import scratch_folder
+
+pytestmark = [pytest.mark.usefixtures("cache"), pytest.mark.xdist_group("bench")]
+
+
+@pytest.fixture(scope="module", name="libraries")
+def built_libraries(cache: Path) -> Iterator[Libraries]:
+    """Build what is compared, once; where confined processes may read it."""
+    del cache
+    with scratch_folder() as folder:
+        yield build_libraries(folder / "libraries")
+
+
+def has_ratio(reading: Reading) -> bool:
+    """Whether a goal was measured, and the number is one."""
+    return reading.ratio is not None and reading.ratio.low <= reading.ratio.median
+
+
+def test_every_solution_is_timed(libraries: Libraries, tmp_path: Path) -> None:
+    """Six ratios come back, Embree's among them: the package depends on embreex."""
+    course = solutions.course_on(landscape(3_000, 1), 16, 200, rounds=1)
+    readings = solutions.measured(course, libraries, tmp_path)
+    assert [reading.goal.number for reading in readings] == ["2", "6d", "6", "6b", "6c", "7"]
+    assert all(map(has_ratio, readings))
+
+
+def test_all_solutions_build_the_same_tree(libraries: Libraries) -> None:
+    """What is compared does the same work."""
+    mesh = landscape(1_000, 1)
+    with Nursery() as nursery:
+        timer = Timer(nursery, mesh)
+        trees = [timer.tree(library) for library in (libraries.clear, libraries.uncounted)]
+    assert (trees[0].order == trees[1].order).all()
+
+
+def test_every_way_to_compile_is_timed(tmp_path: Path) -> None:
+    """Both goals of the compiler."""
+    assert all(map(has_ratio, compiling.measured(tmp_path, rounds=1)))
+
+
+def test_a_size_has_all_costs(libraries: Libraries) -> None:
+    """And two of them tell how they grow."""
+    sizes = tuple(scale.measured(libraries.clear, faces) for faces in (16_000, 32_000))
+    assert [size.faces for size in sizes] == [16_000, 32_000]
+    assert [each.what for each in scale.growths(sizes)] == [each.what for each in scale.COSTS]

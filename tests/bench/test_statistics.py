@@ -1,0 +1,48 @@
+"""Runs become numbers: the arithmetic is held to examples that are done in the head."""
+
+import math
+
+import pytest
+
+from grader.bench.record import Cost
+from grader.bench.statistics import exponent, interleaved, ratios, spread
+
+
+def test_rounds_take_turns() -> None:
+    """Each round runs everything once, every other one the other way round."""
+    order: list[str] = []
+
+    def run(name: str) -> Cost:
+        order.append(name)
+        return Cost(len(order), 0.0)
+
+    costs = interleaved({name: lambda name=name: run(name) for name in "abc"}, 3)  # type: ignore[misc]  # mypy knows no lambda with a default
+    assert "".join(order) == "abccbaabc"
+    assert [cost.cpu for cost in costs["a"]] == [1, 6, 7]
+
+
+def test_a_spread_is_median_and_extremes() -> None:
+    """Of an even number the median is the mean of the two in the middle."""
+    found = spread([4.0, 1.0, 2.0, 10.0])
+    assert (found.median, found.low, found.high, found.rounds) == (3.0, 1.0, 10.0, 4)
+
+
+def test_a_ratio_is_taken_in_each_round() -> None:
+    """A round in which everything takes ten times as long changes nothing."""
+    found = ratios([1.0, 10.0, 1.0], [2.0, 20.0, 2.0])
+    assert (found.median, found.low, found.high) == (0.5, 0.5, 0.5)
+
+
+def test_rounds_belong_together() -> None:
+    """A ratio of different numbers of rounds is no ratio."""
+    with pytest.raises(ValueError, match="argument 2"):
+        ratios([1.0, 2.0], [1.0])
+
+
+@pytest.mark.parametrize("power", [0.0, 1.0, 1.5])
+def test_an_exponent_is_found_again(power: float) -> None:
+    """The factor does not matter."""
+    sizes = [10.0, 100.0, 5000.0]
+    assert math.isclose(
+        exponent(sizes, [3 * size**power for size in sizes]), power, abs_tol=1e-9
+    )
