@@ -36,6 +36,9 @@ class Options:
     for_student: bool = False
     """Leave out whatever the rubric hides from students."""
 
+    quick: bool = False
+    """Leave out the trials that take long: sanitizers, pictures, threads and large meshes."""
+
     def most_seconds(self, limits: Limits) -> float:
         """Wall seconds of a whole grade."""
         return self.time_limit or limits.total_seconds

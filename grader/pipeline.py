@@ -15,6 +15,7 @@ from grader.model.stages import Build, Further, Rejected, Submission
 from grader.model.trials import ConstructTrial, Trial
 from grader.options import Options
 from grader.oracle.plan import Plan
+from grader.quick import SLOW_BUILDS, is_quick
 from grader.rounds import Rounds, hopeful, waves
 from grader.run.session import Engine
 from grader.run.trials import Engines, build_of
@@ -92,7 +93,8 @@ def _grades(
     if isinstance(submission, Rejected):
         return [_rejected(submission, selection, each) for each in every]
     with scratch_folder() as folder, Nursery() as nursery, ThreadPoolExecutor(1) as aside:
-        order = _compilation(folder, limits, options, selection.further)
+        further = selection.further - SLOW_BUILDS if options.quick else selection.further
+        order = _compilation(folder, limits, options, further)
         building = aside.submit(compile_submission, submission, order)
         return [_graded(submission, building, nursery, selection, each) for each in every]
 
@@ -125,6 +127,8 @@ def _graded(
     if build.library is None:
         return summary.grade(submission, build, ())
     trials = selection.useful([_as_read(trial, selection.rubric) for trial in plan.trials])
+    if options.quick:
+        trials = tuple(filter(is_quick, trials))
     summary.broken(plan.faults)
     with summary.stage("run and verify"):
         engines = _engines(build, selection.rubric.limits, isolation_of(options), nursery)

@@ -15,6 +15,7 @@ from grader.model.mesh import Mesh
 from grader.model.stages import Further
 from grader.model.trials import ConstructTrial, ImageTrial, Trial
 from grader.oracle.plan import spine_trials
+from grader.quick import quick_checks
 from grader.run.trials import build_of
 from grader.score.rubric import BOTH, load_rubric
 from grader.tolerances import FACES_PER_LEAF, SMALL_MAX_DEPTH
@@ -120,6 +121,16 @@ def select(
         tuple(one.check for one in rubric.criteria if one.check in hidden),
         for_student,
     )
+
+
+def quickest(rubric_path: Path | None, for_student: bool) -> tuple[str, ...]:
+    """Return the checks of a rubric that find most mistakes in little time.
+
+    Raises:
+        UsageError: The rubric is wrong.
+    """
+    rubric = select(rubric_path, (), for_student).rubric
+    return quick_checks([criterion.check for criterion in rubric.criteria])
 
 
 def _require_shown(id: str, known: Sequence[str], hidden: frozenset[str]) -> None:

@@ -62,6 +62,9 @@ class Order:
     views: bool = True
     """Whether to draw what a report shows; who waits for the next save does without."""
 
+    quick: bool = False
+    """Whether only what finds most mistakes is run, and nothing is drawn or searched for."""
+
 
 @click.command()
 @click.argument("submission", type=submission_type, required=False)
@@ -79,6 +82,7 @@ class Order:
 @language_option
 @unsafe_option
 @click.option("--watch", is_flag=True, help="Run again at every save, until Ctrl-C.")
+@click.option("--quick", is_flag=True, help="Run only what finds most mistakes: seconds.")
 def check(submission: Path | None, watch: bool, **given: Any) -> None:  # noqa: ANN401 - click's own
     """Grade your own code and explain what is wrong.
 
@@ -97,6 +101,8 @@ def check(submission: Path | None, watch: bool, **given: Any) -> None:  # noqa: 
     written = stored(folder, result, order.language)
     with patient_stdout():
         report(result, order, written)
+        if order.quick:
+            click.echo("\nThis was the quick run; without --quick every check is run.")
     raise Exit(status_of_check(result, order.only))
 
 
@@ -150,6 +156,7 @@ def ordered(path: Path, given: Mapping[str, Any]) -> Order:
         not given["unsafe_no_isolation"],
         given.get("hints", 1),
         language=given["language"] or usual_language(),
+        quick=given.get("quick", False),
     )
 
 
@@ -180,18 +187,23 @@ def graded(order: Order) -> Grade:
     """Run the pipeline with a bar that shows how far it is."""
     from grader.options import Options
     from grader.pipeline import grade_one
+    from grader.selection import quickest
 
+    only = order.only
+    if order.quick and not only:
+        only = quickest(order.rubric, order.for_student)
     with shown_progress() as progress, interruptible():
         options = Options(
             order.seed,
             order.rubric,
-            order.only,
+            only,
             progress,
             order.time_limit,
-            counterexamples=True,
+            counterexamples=not order.quick,
             isolated=order.isolated,
             for_student=order.for_student,
-            views=order.views,
+            views=order.views and not order.quick,
+            quick=order.quick,
         )
         return grade_one(order.path, options)
 

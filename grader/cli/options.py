@@ -14,7 +14,7 @@ seed_option = click.option(
     type=click.IntRange(0, 2**32 - 1),
     default=SEED,
     show_default=True,
-    help="Meshes and rays are drawn from it.",
+    help="Of meshes and rays.",
 )
 rubric_option = click.option(
     "--rubric",
