@@ -3,6 +3,7 @@
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -69,7 +70,7 @@ def measured(course: Course, libraries: Libraries, folder: Path) -> list[Reading
         }
         peers: list[dict[str, float]] = []
         if embree is not None:
-            runs["embree"] = lambda: _embree(embree, peers)
+            runs["embree"] = partial(_embree, embree, peers)
         costs = interleaved(runs, course.rounds)
     cpu = {name: [each.cpu for each in found] for name, found in costs.items()}
     cpu |= {f"embree {key}": [each[key] for each in peers] for key in peers[0]} if peers else {}

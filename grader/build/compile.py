@@ -10,6 +10,7 @@ from grader.build.callgraph import read_assembly
 from grader.build.compiler import find_compiler
 from grader.build.diagnostics import SOURCE_NAME, read_diagnostics
 from grader.build.product import adopted
+from grader.build.remembered import Product, keep, name_of, recalled
 from grader.build.stopped import why_stopped
 from grader.build.workspace import GRADED, SANITIZED, Workspace, with_real_depth, workspace
 from grader.errors import BuildFault
@@ -214,7 +215,7 @@ def _link(framework: Workspace, work: Compilation, name: str) -> _Linked:
     product = f"{name}.so"
     # The submission comes first, so that its functions win over the weak stand-ins.
     command = (*framework.compile_command, SOURCE_NAME, *framework.link_words)
-    outcome, content = _made(command, framework, work, product)
+    outcome, content = _once(command, framework, work, product)
     messages = read_diagnostics(outcome.err)
     if content is None:
         silent = not any(message.severity == "error" for message in messages)
@@ -230,8 +231,24 @@ def _link(framework: Workspace, work: Compilation, name: str) -> _Linked:
 def call_graph(framework: Workspace, work: Compilation) -> CallGraph | None:
     """Ask the front end who calls whom; None if it does not get through the file."""
     command = (*framework.graph_command, "-S", SOURCE_NAME)
-    _, content = _made(command, framework, work, f"{_GRAPH}.s")
+    _, content = _once(command, framework, work, f"{_GRAPH}.s")
     return None if content is None else read_assembly(content)
+
+
+def _once(
+    command: tuple[str, ...], framework: Workspace, work: Compilation, product: str
+) -> tuple[Outcome, bytes | None]:
+    """Do as `_made`, or take what it made of the same file before, in such a box."""
+    source = (work.folder / SOURCE_NAME).read_bytes()
+    words = (*command, work.isolation.level.value, repr(work.limits))
+    name = name_of(source, words, framework.folder, product)
+    before = recalled(name)
+    if before is not None:
+        return Outcome(0, False, b"", before.messages, 0.0, 0.0), before.content
+    outcome, content = _made(command, framework, work, product)
+    if content is not None:
+        keep(name, Product(content, outcome.err))
+    return outcome, content
 
 
 def _made(

@@ -1,6 +1,7 @@
 """What did the submission see of each scene, and how is that unlike Mitsuba's picture?"""
 
 from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 
@@ -14,6 +15,7 @@ from grader.model.views import Drawing, Picture
 from grader.run.job import Job
 from grader.run.session import Allowance, Engine, run_job
 from grader.run.transfer import on_tree, trace
+from grader.run.trials import WORKERS
 from grader.verify.images import wrong_pixels
 
 SAME = 2
@@ -41,7 +43,9 @@ def pictures(
     """
     share = seconds / max(len(exhibits), 1)
     allowed = Allowance(min(SHADOW_SECONDS, share), share)
-    return tuple(_picture(one, engine, allowed) for one in exhibits)
+    # While a worker traces the shadows of one scene, the other is shaded.
+    with ThreadPoolExecutor(WORKERS) as pool:
+        return tuple(pool.map(lambda one: _picture(one, engine, allowed), exhibits))
 
 
 def _picture(one: Exhibit, engine: Engine, allowed: Allowance) -> Picture:

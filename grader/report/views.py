@@ -9,6 +9,7 @@ import base64
 import io
 import json
 import zlib
+from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import numpy as np
@@ -25,6 +26,9 @@ SCHEMA_VERSION = 1
 LARGEST = 330_000
 """Bytes of all pictures together, as text. With a mesh of 20,000 faces a report stays below
 600,000."""
+
+ENCODERS = 2
+"""Pictures that are encoded at the same time."""
 
 SMALLEST = 96
 """Pixels of a picture's longer side below which it is not halved."""
@@ -63,7 +67,9 @@ def _table(check: str, table: NodeTable) -> Json:
 def _pictures(given: tuple[Picture, ...]) -> list[Json]:
     """Encode pictures, as large as there is room for."""
     steps = [1] * len(given)
-    made = [_picture(one, 1) for one in given]
+    # Encoding lets other threads run, and takes longest for the large ones.
+    with ThreadPoolExecutor(ENCODERS) as pool:
+        made = list(pool.map(lambda one: _picture(one, 1), given))
     while sum(map(_size, made)) > LARGEST:
         able = [place for place, one in enumerate(given) if _side(one, steps[place]) > SMALLEST]
         if not able:

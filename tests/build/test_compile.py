@@ -214,4 +214,4 @@ def test_a_machine_that_compiles_nothing_is_no_fault_of_the_submission(
     full = Outcome(1, False, b"", b"as: No space left on device\n", 0.1, 0.1)
     monkeypatch.setattr(compile, "confined", lambda *_: full)
     with pytest.raises(BuildFault, match="our own solution either: as: No space left"):
-        whole_build(STARTER.read_text(), tmp_path)
+        whole_build(STARTER.read_text() + "// never compiled before\n", tmp_path)
