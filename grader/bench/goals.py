@@ -2,8 +2,10 @@
 
 from grader.bench.record import Goal
 
-WALL = Goal("1", "complete grade / compile and run by hand, wall", 1.10)
-CPU = Goal("1b", "complete grade / compile and run by hand, CPU", 1.5)
+WALL = Goal("1", "complete grade / the same builds and runs by hand, wall", 1.10)
+CPU = Goal("1b", "complete grade / the same builds and runs by hand, CPU", 1.5)
+PLAIN_WALL = Goal("1c", "complete grade / by hand without sanitizers, wall", 1.10)
+PLAIN_CPU = Goal("1d", "complete grade / by hand without sanitizers, CPU", 1.5)
 CHECK = Goal("2", "all checks of a tree / textbook's construct", 0.20)
 PYTEST = Goal("3", "fixed overhead / pytest's, wall", 0.6)
 CHECK50 = Goal("3b", "fixed overhead / check50's, wall", 0.35)

@@ -78,7 +78,7 @@ def _readings(
 ) -> Iterator[Reading]:
     """Measure every goal."""
     progress("grading, against compiling and running by hand")
-    yield from whole.measured(folder, libraries.clear, effort.grades)
+    yield from whole.measured(folder, effort.grades)
     progress("solutions, checks and Embree")
     mesh = load_mesh(effort.mesh)
     course = solutions.course_on(mesh, effort.side, effort.scattered, effort.rounds)

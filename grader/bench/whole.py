@@ -1,8 +1,10 @@
 """What does a whole grade cost, against running the same by hand? Goals 1 and 3."""
 
+import hashlib
 import sys
 import time
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -12,47 +14,86 @@ from grader.bench.libraries import TEXTBOOK, by_hand
 from grader.bench.programs import grader_cost, program
 from grader.bench.record import Cost, Goal, Reading
 from grader.bench.statistics import interleaved, ratios, spread
-from grader.build.compiler import find_compiler
-from grader.build.workspace import GRADED, workspace
-from grader.errors import WorkerFault
-from grader.model.stages import Stop
-from grader.model.trials import Trial
+from grader.build.compile import Compilation, compile_submission
+from grader.build.compiler import find_compiler, sanitizer_runtime
+from grader.build.workspace import GRADED, SANITIZED, with_real_depth, workspace
+from grader.errors import BuildFault, WorkerFault
+from grader.model.grade import CompileLimits
+from grader.model.stages import Stop, Submission
+from grader.model.trials import RebuildTrial, RepeatTrial, Trial
 from grader.resources import reference_source
-from grader.run.requests import request
+from grader.run.job import Job
+from grader.run.requests import asked, request
 from grader.run.session import Allowance, Engine, run_job
-from grader.run.trials import is_sanitized
-from grader.sandbox.nursery import Nursery
+from grader.run.trials import Engines, is_sanitized
 from grader.sandbox.selftest import unconfined
 from grader.solution import GENEROUS, Solution
 
 SEED = 41
+PATIENCE = 3600
+"""Seconds for a compiler on a busy machine."""
+
+ROOMY = replace(GENEROUS, memory_mib=1 << 15)
+"""All trials of a build in one process keep all their meshes."""
+
 _ALLOWED = Allowance(600.0, 3600.0)
 
 
-def measured(folder: Path, library: Path, rounds: int) -> list[Reading]:
+def measured(folder: Path, rounds: int) -> list[Reading]:
     """Grade the model solution, and compile and run it by hand, in turns.
 
-    By hand means: compile the one file with the graded flags and without anything precompiled,
-    then build every tree and trace every ray of the grade's plain trials, one after the other
-    and unconfined, and look at no result. The sanitized builds are the grade's alone.
+    By hand means: compile the one file with each of the flags of a grade and without anything
+    precompiled, then build every tree and trace every ray of the trials, all of it one after
+    the other and unconfined, and look at no result. Once with the sanitized builds and their
+    trials, as a grade has them, and once without.
     """
-    trials = [each for each in Solution().plan(SEED).trials if not is_sanitized(each)]
-    command = by_hand(workspace(find_compiler(), GRADED))
+    trials = Solution().plan(SEED).trials
+    plain = [trial for trial in trials if not is_sanitized(trial)]
+    watched = [trial for trial in trials if is_sanitized(trial)]
+    graded, small = (workspace(find_compiler(), each) for each in (GRADED, SANITIZED))
+    deep = with_real_depth(by_hand(small))
+    engines = _engines(folder / "by-hand")
     words = ("-o", folder / "graded", "--seed", str(SEED), "--quiet")
 
-    def hand() -> Cost:
-        compiled = compile_cost(command, reference_source(), folder)
-        return _sum([compiled, _run(library, trials)])
+    def by_hand_of(commands: Sequence[Sequence[str]], run: Sequence[Trial]) -> Cost:
+        costs = [compile_cost(command, reference_source(), folder) for command in commands]
+        return _sum([*costs, _run(engines, run)])
 
     runs: dict[str, Callable[[], Cost]] = {
         "grade": lambda: grader_cost("grade", unseen(reference_source(), folder), *words),
-        "hand": hand,
+        "plain": lambda: by_hand_of([by_hand(graded)], plain),
+        "sanitized": lambda: by_hand_of([by_hand(small), deep], watched),
     }
     costs = interleaved(runs, rounds)
-    return [
-        _compared(goals.WALL, costs, lambda cost: cost.wall),
-        _compared(goals.CPU, costs, lambda cost: cost.cpu),
+    costs["both"] = [
+        _sum(pair) for pair in zip(costs["plain"], costs["sanitized"], strict=True)
     ]
+    return [
+        _compared(goals.WALL, costs, "both", lambda cost: cost.wall),
+        _compared(goals.CPU, costs, "both", lambda cost: cost.cpu),
+        _compared(goals.PLAIN_WALL, costs, "plain", lambda cost: cost.wall),
+        _compared(goals.PLAIN_CPU, costs, "plain", lambda cost: cost.cpu),
+    ]
+
+
+def _engines(folder: Path) -> Engines:
+    """Build the model solution in every way that a grade runs it."""
+    text = reference_source().read_bytes()
+    own = Submission("reference", "exercise03.cpp", text, hashlib.sha256(text).hexdigest())
+    limits = CompileLimits(seconds=PATIENCE, wall_seconds=PATIENCE)
+    build = compile_submission(own, Compilation(folder, unconfined(), limits))
+    runtime = sanitizer_runtime(find_compiler())
+    graded, small, deep = (
+        Engine(library, ROOMY, unconfined(), preload) if library else None
+        for library, preload in (
+            (build.library, ""),
+            (build.sanitized, runtime),
+            (build.deep, runtime),
+        )
+    )
+    if graded is None:
+        raise BuildFault(f"the model solution does not compile: {build.diagnostics[:3]}")
+    return Engines(graded, small, deep)
 
 
 def overhead(folder: Path, rounds: int) -> list[Reading]:
@@ -98,25 +139,42 @@ def _cost(command: Sequence[str]) -> Cost:
     return Cost(outcome.cpu_seconds, outcome.seconds)
 
 
-def _run(library: Path, trials: Sequence[Trial]) -> Cost:
-    """Run trials one after the other, without a box and without a look at what they bring."""
-    costs = []
-    with Nursery() as nursery:
-        engine = Engine(library, GENEROUS, unconfined(), nursery=nursery)
-        for trial in trials:
-            for job in request(trial).jobs:
-                ending, _ = run_job(job, engine, _ALLOWED)
-                if ending.stop is not Stop.FINISHED:
-                    raise WorkerFault(f"{trial.name}: {ending.detail}")
-                costs.append(Cost(ending.cpu_seconds, ending.seconds))
-    return _sum(costs)
+def _run(engines: Engines, trials: Sequence[Trial]) -> Cost:
+    """Run trials without a box and without a look at what they bring.
+
+    By hand nobody starts a process for each. So those of one build share a process, and of
+    those that need two the start of a further one is taken off.
+    """
+    shared: dict[Path, tuple[Engine, Job]] = {}
+    further: list[tuple[Engine, Job]] = []
+    for trial in trials:
+        engine = engines.of(trial)
+        if engine is None:
+            continue
+        if isinstance(trial, RebuildTrial | RepeatTrial):
+            further += [(engine, job) for job in request(trial).jobs]
+        else:
+            asked(shared.setdefault(engine.library, (engine, Job()))[1], trial)
+    start = _cost_of(engines.graded, Job())
+    begun = [_cost_of(*each) for each in (*shared.values(), *further)]
+    whole, extra = _sum(begun), len(further)
+    return Cost(whole.cpu - extra * start.cpu, whole.wall - extra * start.wall)
+
+
+def _cost_of(engine: Engine, job: Job) -> Cost:
+    ending, _ = run_job(job, engine, _ALLOWED)
+    if ending.stop is not Stop.FINISHED:
+        raise WorkerFault(f"the model solution did not come back: {ending.detail}")
+    return Cost(ending.cpu_seconds, ending.seconds)
 
 
 def _sum(costs: Sequence[Cost]) -> Cost:
     return Cost(sum(each.cpu for each in costs), sum(each.wall for each in costs))
 
 
-def _compared(goal: Goal, costs: dict[str, list[Cost]], of: Callable[[Cost], float]) -> Reading:
-    grade, hand = ([of(cost) for cost in costs[name]] for name in ("grade", "hand"))
-    detail = f"{spread(grade).median:.2f} s / {spread(hand).median:.2f} s"
-    return Reading(goal, ratios(grade, hand), detail)
+def _compared(
+    goal: Goal, costs: dict[str, list[Cost]], hand: str, of: Callable[[Cost], float]
+) -> Reading:
+    above, below = ([of(cost) for cost in costs[name]] for name in ("grade", hand))
+    detail = f"{spread(above).median:.2f} s / {spread(below).median:.2f} s"
+    return Reading(goal, ratios(above, below), detail)

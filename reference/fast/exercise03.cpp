@@ -110,12 +110,12 @@ bool areUsed(const std::vector<BVH::Node>& nodes, size_t first, size_t count) {
 struct Boxes4 {
     std::array<Float4, 4> front; // x, y, z of the lower corners, x of the upper ones
     std::array<Float4, 4> back;  // y, z of the upper corners, where the faces begin and end
-    /// Of the nodes from `first` on, again from there after `count` of them.
+    /// Of 2 or 4 nodes from `first` on; two of them come twice.
     Boxes4(const BVH::Node* first, size_t count) {
         static_assert(sizeof(BVH::Node) == 2 * sizeof(Float4));
         for (size_t i = 0; i < 4; ++i) {
             std::array<Float4, 2> halves;
-            std::memcpy(&halves, first + i % count, sizeof halves);
+            std::memcpy(&halves, first + (i & (count - 1)), sizeof halves);
             front[i] = halves[0];
             back[i] = halves[1];
         }
@@ -276,17 +276,17 @@ Intersection intersect(const Mesh& mesh, const IntersectionRay& ray) {
         if (near > rest.end + std::abs(rest.end) * slabSlack) {
             continue; // a hit that was found since is closer than the box
         }
-        // Two levels at once: if there are four grandchildren, the children are not even read.
-        // Near the leaves one level at a time: then two lanes of four are of use.
-        const size_t child = 2 * size_t{i} + 1;
-        const size_t grandchild = 2 * child + 1;
-        Float4 nears{};
-        if (areUsed(nodes, grandchild, 4)) {
-            const Boxes4 boxes(&nodes[grandchild], 4);
-            waiting.push(grandchild, rest.meets(boxes, nears), nears);
-        } else if (areUsed(nodes, child, 2)) {
-            const Boxes4 boxes(&nodes[child], 2);
-            waiting.push(child, rest.meets(boxes, nears) & 0b0011, nears);
+        // Four grandchildren at once, past the children; near the leaves two children.
+        size_t count = 4;
+        size_t first = 4 * size_t{i} + 3;
+        if (!areUsed(nodes, first, count)) {
+            count = 2;
+            first = 2 * size_t{i} + 1;
+        }
+        if (count == 4 || areUsed(nodes, first, count)) {
+            Float4 nears;
+            const uint32_t met = rest.meets(Boxes4(&nodes[first], count), nears);
+            waiting.push(first, met & ((1U << count) - 1), nears);
         } else {
             closest = closestFace(mesh, nodes[i], rest, closest);
         }
