@@ -5,6 +5,7 @@ import sys
 from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -47,9 +48,10 @@ def embree_for(folder: Path, mesh: Mesh, bundles: dict[str, Rays]) -> Embree | N
     if find_spec("embreex") is None:
         return None
     folder.mkdir()
-    tables = {name: ray_table(rays) for name, rays in bundles.items()}
+    arrays: dict[str, Any] = {name: ray_table(rays) for name, rays in bundles.items()}
+    arrays |= {"vertices": mesh.vertices, "faces": mesh.faces}
     given = folder / "given.npz"
-    np.savez(given, vertices=mesh.vertices, faces=mesh.faces, **tables)
+    np.savez(given, **arrays)
     loop = folder / "loop.so"
     words = [find_compiler().path, "-x", "c", "-O2", "-fPIC", "-shared"]
     outcome = launch(Order([*words, str(DATA / "embree_loop.c"), "-o", str(loop)], _SECONDS))

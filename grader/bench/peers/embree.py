@@ -62,10 +62,12 @@ def opened() -> ctypes.CDLL:
     return embree
 
 
-def scene_of(embree: ctypes.CDLL, vertices: object, faces: object) -> tuple[int, float]:
+def scene_of(
+    embree: ctypes.CDLL, vertices: npt.NDArray[np.float32], faces: npt.NDArray[np.uint32]
+) -> tuple[int, float]:
     """Build a scene of medium quality, robust; also return the CPU seconds that it took."""
     device = embree.rtcNewDevice(b"threads=1")
-    v = np.zeros((len(np.asarray(vertices)) + 1, 3), np.float32)  # one to spare, as it asks for
+    v = np.zeros((len(vertices) + 1, 3), np.float32)  # one to spare, as it asks for
     v[:-1] = vertices
     f = np.ascontiguousarray(faces, np.uint32)
     begun = time.process_time()
