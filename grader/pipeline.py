@@ -27,6 +27,9 @@ from grader.selection import Selection, select
 from grader.solution import Solution
 from grader.summary import Summary
 
+NOTHING = Plan((), ())
+"""The plan of a run that only compiles."""
+
 SHORTEST_COMPILATION = 10
 """Wall seconds that compiling may always take; ordinary files take 3."""
 
@@ -120,11 +123,11 @@ def _graded(
     """Grade with one seed what is being compiled."""
     summary = _summary(selection, options)
     with summary.stage("build and plan"):
-        solution = Solution()
-        plan = _plan(solution, options.seed, selection, summary)
+        solution = None if selection.runs_nothing else Solution()
+        plan = _plan(solution, options.seed, selection, summary) if solution else NOTHING
         build = building.result()
     summary.examine(_build_cases(build))
-    if build.library is None:
+    if build.library is None or solution is None:
         return summary.grade(submission, build, ())
     trials = selection.useful([_as_read(trial, selection.rubric) for trial in plan.trials])
     if options.quick:

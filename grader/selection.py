@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from grader.errors import UsageError
-from grader.model.cases import DepthCase
+from grader.model.cases import BuildCase, DepthCase, SourceCase
 from grader.model.grade import Rubric
 from grader.model.mesh import Mesh
 from grader.model.stages import Further
@@ -52,6 +52,11 @@ class Selection:
             if (self._looks_at([trial]) or (choosing and DepthCase in kinds_of(trial)))
             and not (self.for_student and isinstance(trial, ImageTrial) and not trial.shown)
         )
+
+    @property
+    def runs_nothing(self) -> bool:
+        """Whether what the compiler says is enough for all checks of this run."""
+        return all(each.kind in (BuildCase, SourceCase) for each in self.checks)
 
     @property
     def further(self) -> frozenset[Further]:

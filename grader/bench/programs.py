@@ -14,6 +14,8 @@ SECONDS = 1800.0
 
 OWN = {
     **PLAIN_ENVIRONMENT,
+    # Else pytest also loads whatever other tools brought along.
+    "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",
     "PYTHONPATH": str(Path(__file__).parents[2]),
     **{
         name: os.environ[name]
@@ -24,13 +26,13 @@ OWN = {
 """Where a program finds this package and its cache, whatever the caller's folder."""
 
 
-def grader_cost(*words: str | Path) -> Cost:
-    """Run `bvhgrade` with some words.
+def grader_cost(*words: str | Path, folder: Path | None = None) -> Cost:
+    """Run `bvhgrade` with some words, in a folder.
 
     Raises:
         WorkerFault: It failed.
     """
-    outcome = program([sys.executable, "-m", "grader", *map(str, words)])
+    outcome = program([sys.executable, "-m", "grader", *map(str, words)], folder)
     return Cost(outcome.cpu_seconds, outcome.seconds)
 
 
@@ -46,13 +48,13 @@ def grader_peak(what: str, *words: str | Path) -> Peak:
     return Peak(what, own / 1024, child / 1024)
 
 
-def program(command: Sequence[str]) -> Outcome:
+def program(command: Sequence[str], folder: Path | None = None) -> Outcome:
     """Run a program of ours to its end.
 
     Raises:
         WorkerFault: It failed.
     """
-    outcome = launch(Order(command, SECONDS, environment=OWN))
+    outcome = launch(Order(command, SECONDS, folder=folder, environment=OWN))
     if outcome.code != 0:
         said = (outcome.err or outcome.out).decode(errors="replace").strip()[-500:]
         raise WorkerFault(f"{' '.join(command[1:4])} ended with {outcome.code}: {said}")

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
 
-from grader.bench import classes, compiling, others, scale, solutions, whole
+from grader.bench import classes, compiling, others, scale, solutions, trivial, whole
 from grader.bench.libraries import TEXTBOOK, Libraries, build_libraries
 from grader.bench.programs import grader_peak
 from grader.bench.record import Peak, Reading, Size, Table
@@ -86,7 +86,7 @@ def _readings(
     progress("compilers")
     yield from compiling.measured(folder, effort.rounds)
     progress("what a program costs before it does anything")
-    yield from whole.overhead(folder, effort.rounds)
+    yield from trivial.measured(folder, effort.rounds)
     small, large = effort.classes
     if small:
         progress(f"classes of {small} and of {large:,}")
