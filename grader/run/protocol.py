@@ -19,6 +19,10 @@ HEADER = struct.Struct("<8Q")
 """Input: magic, version, offset of the rows, their number. Result: magic, version, number of
 finished operations, status, length of the error text."""
 
+CONSTRUCT_NS, TRACE_NS, TURN = 40, 48, 56
+"""Of a worker that stays (`live.py`), in the result's header: nanoseconds in `construct`,
+nanoseconds in `intersect`, and the turn that the grader is at: rows of another are skipped."""
+
 ERROR_OFFSET = 64
 ERROR_CAPACITY = 512
 DATA_OFFSET = 1024

@@ -29,6 +29,10 @@ less."""
 FILE_BYTES = 1 << 20
 """A worker writes no file; the pages of its result do not count."""
 
+# Else each thread on a machine of many cores reserves memory that the limit counts.
+PLAIN = {"MALLOC_ARENA_MAX": "4"}
+"""The environment of a worker."""
+
 SANITIZER_EXIT = 86
 SANITIZER_ENVIRONMENT = {
     # An assertion ends in abort: handled, it leaves a stack with the student's line.
@@ -94,8 +98,7 @@ def carried_out(job: Job, engine: Engine, allowed: Allowance) -> tuple[Ending, R
         How it ended, and the result, which is whole up to `rows_done`.
     """
     entry = staged(MODULES)
-    # Else each thread on a machine of many cores reserves memory that the limit counts.
-    environment = {"MALLOC_ARENA_MAX": "4"}
+    environment = dict(PLAIN)
     if engine.preload:
         environment |= {"LD_PRELOAD": engine.preload, **SANITIZER_ENVIRONMENT}
     with job.files() as (given, result_file):
@@ -107,10 +110,10 @@ def carried_out(job: Job, engine: Engine, allowed: Allowance) -> tuple[Ending, R
             descriptors=(given, result_file),
             environment=environment,
         )
-        box = Box((entry.parent, engine.library), _bounds(engine, allowed))
+        box = Box((entry.parent, engine.library), bounds_of(engine, allowed))
         outcome = confined(target, box, entry, engine.isolation, engine.nursery)
         result = Result(result_file, job.result_size)
-    ending = _ending(outcome, job, result, allowed)
+    ending = ending_of(outcome, job, result, allowed)
     if engine.preload and outcome.code == SANITIZER_EXIT:
         ending = _by_sanitizer(ending)
     return ending, result
@@ -121,7 +124,8 @@ def rows_done(job: Job, result: Result) -> int:
     return min(result.number(16), job.row_count)
 
 
-def _bounds(engine: Engine, allowed: Allowance) -> Bounds:
+def bounds_of(engine: Engine, allowed: Allowance) -> Bounds:
+    """What a worker may use."""
     limits = engine.limits
     return Bounds(
         cpu_seconds=_whole(allowed),
@@ -134,7 +138,8 @@ def _bounds(engine: Engine, allowed: Allowance) -> Bounds:
     )
 
 
-def _ending(outcome: Outcome, job: Job, result: Result, allowed: Allowance) -> Ending:
+def ending_of(outcome: Outcome, job: Job, result: Result, allowed: Allowance) -> Ending:
+    """Say how a worker ended, from what the kernel and its result tell."""
     finished, status = result.number(16), result.number(24)
     stop, detail = _stop(outcome, finished == job.row_count, status, result, allowed)
     text = outcome.err.decode("utf-8", errors="replace")

@@ -159,21 +159,30 @@ def record(job: Job, slot: int, rays: Rays, ray: int) -> Callable[[Result], Path
     count = job.reserve(8)
     job.do(Op.RECORD, slot, job.give(table), hit, steps, MOST_STEPS, count)
 
-    def read(result: Result) -> Path:
-        total = result.number(count)
-        kept = min(total, MOST_STEPS)
-        words = result.array(steps, kept * STEP_WORDS, np.uint32).reshape(kept, STEP_WORDS)
-        floats = words[:, 3:].view(np.float32)
-        return Path(
-            is_box=words[:, 0] == 0,
-            hit=words[:, 1] != 0,
-            node=words[:, 2].copy(),
-            t=floats[:, 0].copy(),
-            t_min=floats[:, 1].copy(),
-            t_max=floats[:, 2].copy(),
-            corners=floats[:, 3:].copy(),
-            found=float(result.array(hit, 7, np.float32)[3]),
-            total=total,
-        )
+    return lambda result: path_of(result, hit, steps, count)
 
-    return read
+
+def path_of(result: Result, hit: int, steps: int, count: int) -> Path:
+    """Read a recorded path.
+
+    Args:
+        result: Where it lies.
+        hit: Offset of the hit.
+        steps: Offset of the tests.
+        count: Offset of their true number.
+    """
+    total = result.number(count)
+    kept = min(total, MOST_STEPS)
+    words = result.array(steps, kept * STEP_WORDS, np.uint32).reshape(kept, STEP_WORDS)
+    floats = words[:, 3:].view(np.float32)
+    return Path(
+        is_box=words[:, 0] == 0,
+        hit=words[:, 1] != 0,
+        node=words[:, 2].copy(),
+        t=floats[:, 0].copy(),
+        t_min=floats[:, 1].copy(),
+        t_max=floats[:, 2].copy(),
+        corners=floats[:, 3:].copy(),
+        found=float(result.array(hit, 7, np.float32)[3]),
+        total=total,
+    )

@@ -16,9 +16,12 @@ import os
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
+    from typing import TypeVar
 
     from grader.run import abi, protocol
     from grader.run.protocol import Op, Status
+
+    Kind = TypeVar("Kind", bound="Worker")
 else:
     # The package is out of reach here: the two files beside this one are all that is needed.
     import abi
@@ -137,13 +140,17 @@ class Worker:
         _, _, first, count, *_ = protocol.HEADER.unpack_from(self.given, 0)
         for number in range(count):
             at = first + number * protocol.ROW.size
-            code, *arguments = protocol.ROW.unpack_from(self.given, at)
-            action, wanted = self.actions[code]
-            status = action(*arguments[:wanted])
+            status = self.one(protocol.ROW.unpack_from(self.given, at))
             if status != Status.OK:
                 return status
             self.put(16, number + 1)
         return Status.OK
+
+    def one(self, row: Sequence[int]) -> int:
+        """Run one row and return its status."""
+        code, *arguments = row
+        action, wanted = self.actions[code]
+        return action(*arguments[:wanted])
 
 
 def write_error(result: mmap.mmap, status: int, text: bytes) -> None:
@@ -154,21 +161,30 @@ def write_error(result: mmap.mmap, status: int, text: bytes) -> None:
 
 
 def main(arguments: Sequence[str]) -> None:
-    """Map the two files, load the library, carry out the rows, leave without clean-up."""
-    library, given_fd, result_fd = arguments
+    """Load the library, carry out the rows, leave."""
+    worker = begun(Worker, *arguments)
+    leave(worker, worker.carry_out())
+
+
+def begun(kind: type[Kind], library: str, given_fd: str, result_fd: str) -> Kind:
+    """Map the two files and load the library; ends the process if it cannot be loaded."""
     given = mmap.mmap(
         int(given_fd), 0, flags=mmap.MAP_PRIVATE, prot=mmap.PROT_READ | mmap.PROT_WRITE
     )
     result = mmap.mmap(int(result_fd), 0)
     try:
-        worker = Worker(library, given, result)
+        return kind(library, given, result)
     except abi.Mismatch as error:
         write_error(result, Status.MISMATCH, str(error).encode())
         os._exit(0)
     except OSError as error:
         write_error(result, Status.NOT_LOADED, str(error).encode())
         os._exit(0)
-    status = worker.carry_out()
+
+
+def leave(worker: Worker, status: int) -> None:
+    """Say how the last row ended, and end the process without clean-up."""
+    result = worker.result
     if status != Status.OK:
         text = bytearray(protocol.ERROR_CAPACITY)
         length = worker.library.ex03_last_error(abi.address(memoryview(text)), len(text))

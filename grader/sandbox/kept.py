@@ -73,6 +73,9 @@ class _Case:
     """Number of the copy on this machine, once it is ready."""
 
     delayed: float = 0.0
+    enough: bool = False
+    """Whether somebody wants it to end."""
+
     stopped: bool = False
     """Whether its time was over."""
 
@@ -174,18 +177,23 @@ class KeptBox:
             selector.register(self._control, selectors.EVENT_READ)
             for stream in streams:
                 selector.register(stream.descriptor, selectors.EVENT_READ, stream)
+            if target.until is not None:
+                selector.register(target.until, selectors.EVENT_READ, case)
             while True:
                 for key, _ in selector.select(self._next_look(case)):
                     if key.data is None:
                         if (ended := self._heard(case, target)) is not None:
                             return ended
+                    elif key.data is case:
+                        selector.unregister(key.fd)
+                        case.enough = True
                     elif key.data.drain() == 0:
                         selector.unregister(key.fd)
 
     def _next_look(self, case: _Case) -> float:
         """Look at a copy now and then, and stop it in time; seconds until the next look."""
         now = time.monotonic()
-        if now >= case.deadline:
+        if now >= case.deadline or (case.enough and case.pid and not case.stopped):
             self._stop(case)
         elif now >= case.glance and case.pid:
             case.delayed = max(case.delayed, seconds_in_line(case.pid))

@@ -30,6 +30,10 @@ class Target:
     environment: Mapping[str, str] | None = None
     """Added to the plain environment."""
 
+    until: int | None = None
+    """A descriptor of ours; once it can be read, the target is ended as if its time was over.
+    For modules only."""
+
     @property
     def is_module(self) -> bool:
         """Whether it is Python of ours, which runs in a copy of a waiting process."""
