@@ -1,0 +1,122 @@
+"""A subject, the process that made a tree of it and traces it, and how both are doing."""
+
+from enum import Enum
+
+from grader.errors import GraderError
+from grader.model.mesh import Bvh
+from grader.model.stages import Stop
+from grader.run.job import Job
+from grader.run.live import Live
+from grader.run.protocol import Op
+from grader.run.session import Engine
+from grader.run.transfer import give_mesh, give_tree, read_tree
+from grader.view.camera import Orbit
+from grader.view.subject import Subject
+from grader.view.traced import Traced
+
+import time
+
+CONSTRUCT_PATIENCE = 30.0
+"""Seconds that making a tree may take."""
+
+MOST_PIXELS = 1 << 20
+"""Of one picture; with its coarser levels it has 7 % more rays."""
+
+MOST_RAYS = MOST_PIXELS + (MOST_PIXELS >> 3)
+
+
+class State(Enum):
+    """How a process is doing."""
+
+    CONSTRUCTING = "constructing"
+    TRACING = "tracing"
+    ENDED = "ended"
+
+
+class Stage:
+    """One subject on one library."""
+
+    def __init__(self, subject: Subject, engine: Engine) -> None:
+        """Start the process."""
+        self.subject = subject
+        self.state = State.CONSTRUCTING
+        self.tree: Bvh | None = subject.tree
+        """The tree that rays are traced on; None as long as it is not there."""
+
+        self.trouble = ""
+        """What the submission did, if it ended; no message of ours is in it."""
+
+        self.in_construct = False
+        """Whether it ended before there was a tree."""
+
+        self._begun = time.monotonic()
+        self._hung = False
+        job = Job()
+        slot = give_mesh(job, subject.mesh)
+        if subject.tree is not None:
+            give_tree(job, slot, subject.tree)
+        for mesh in subject.before:
+            job.do(Op.CONSTRUCT, slot, give_mesh(job, mesh))
+        if subject.tree is None:
+            job.do(Op.CONSTRUCT, slot, slot)
+        self._read = read_tree(job, slot, subject.mesh)
+        self.live = Live(job, slot, engine, MOST_RAYS)
+        self.traced = Traced(self.live)
+
+    def advance(self) -> bool:
+        """Look how far it is; tells whether the picture changed.
+
+        Raises:
+            GraderError: Our own fault: the process could not be run.
+        """
+        if self.live.fault is not None:
+            raise self.live.fault
+        if self.state is State.ENDED:
+            return False
+        if self.state is State.CONSTRUCTING:
+            self._wait()
+        painted = self.traced.advance()
+        if self.live.ending is not None:
+            self._note_end()
+        elif self.traced.hangs():
+            self._hung = True
+            self.live.end()
+        return painted
+
+    def show(self, orbit: Orbit, width: int, height: int) -> None:
+        """Trace another picture; one that is too large is traced in fewer pixels."""
+        if self.state is not State.ENDED:
+            self.traced.begin(orbit, width, height)
+
+    def close(self) -> None:
+        """End the process."""
+        self.live.close()
+
+    @property
+    def construct_seconds(self) -> float:
+        """How long `construct` took, as the process says; 0 if the tree is ours."""
+        return self.live.construct_seconds
+
+    def _wait(self) -> None:
+        if self.live.is_ready:
+            if self.subject.tree is None:
+                self.tree = self._read(self.live.result)
+            self.state = State.TRACING
+        elif time.monotonic() - self._begun > CONSTRUCT_PATIENCE:
+            self._hung = True
+            self.live.end()
+
+    def _note_end(self) -> None:
+        ending = self.live.ending
+        self.in_construct = self.state is State.CONSTRUCTING
+        self.state = State.ENDED
+        what = ending.detail
+        if self._hung or ending.stop is Stop.TIMED_OUT:
+            what = "did not come back and was stopped"
+        if self.in_construct:
+            self.trouble = f"construct: {what}"
+            return
+        column, row = self.traced.now()
+        self.trouble = f"intersect, pixel ({column}, {row}): {what}"
+
+

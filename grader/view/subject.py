@@ -1,0 +1,136 @@
+"""What can be looked at: scenes, meshes from files, and the inputs that fail a check."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from grader.errors import UsageError
+from grader.model.mesh import Bvh, FrozenArrays, Mesh, Rays
+from grader.model.scene import Scene
+from grader.model.trials import ConstructTrial, RebuildTrial, RepeatTrial, Trial
+from grader.view.camera import Orbit, orbit_around, orbit_of
+
+ALBEDO = (0.75, 0.72, 0.64)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Subject(FrozenArrays):
+    """One thing that is looked at."""
+
+    name: str
+    title: str
+    mesh: Mesh
+    home: Orbit
+    """Where the camera begins."""
+
+    albedo: tuple[float, float, float] = ALBEDO
+    tree: Bvh | None = None
+    """A tree of ours that rays are traced on; None to have the submission make one."""
+
+    before: tuple[Mesh, ...] = ()
+    """Meshes for which the same tree is made first."""
+
+    rays: Rays | None = None
+    """Rays that a counterexample is about."""
+
+    trial: Trial | None = None
+    """What a counterexample asks; None if it is none."""
+
+    check: str = ""
+    """Id of the check that it fails; empty if it is none."""
+
+    scene: Scene | None = None
+    """The stored scene, with Mitsuba's picture of it; None if it is none."""
+
+
+def of_scene(name: str) -> Subject:
+    """Load a stored scene.
+
+    Raises:
+        UsageError: There is none of this name.
+        OracleFault: Its mesh is missing or damaged.
+    """
+    from grader.oracle.scenes import load_mesh, scene_named
+
+    scene = scene_named(name)
+    mesh = load_mesh(scene.mesh)
+    home = orbit_of(scene.camera, extent(mesh))
+    return Subject(name, scene.title, mesh, home, scene.albedo, scene=scene)
+
+
+def of_trial(check: str, trial: Trial) -> Subject:
+    """Show what a counterexample asks.
+
+    Args:
+        check: Id of the check that fails.
+        trial: Its input.
+    """
+    name = check
+    if isinstance(trial, ConstructTrial):
+        return _small(name, trial.mesh, trial, None, (), None)
+    if isinstance(trial, RebuildTrial):
+        before = (trial.first, trial.second)
+        return _small(name, trial.first, trial, None, before, None)
+    if isinstance(trial, RepeatTrial):
+        return _small(name, trial.mesh, trial, trial.tree, (), trial.rays)
+    return _small(name, trial.mesh, trial, trial.tree, (), trial.rays)
+
+
+def of_file(path: Path) -> Subject:
+    """Open a mesh or a stored counterexample.
+
+    Raises:
+        UsageError: It is neither, or cannot be read.
+        MissingTool: A package that reads meshes is not installed.
+    """
+    if path.suffix.lower() == ".json":
+        from grader.counterexample.reading import read
+        from grader.counterexample.revived import trial_of
+
+        content = read(path)
+        return of_trial(content.check, trial_of(content))
+    if path.suffix.lower() in (".obj", ".ply", ".stl", ".off"):
+        from grader.oracle.meshes import read_model
+
+        mesh = read_model(path)
+        return Subject(path.stem, path.stem, mesh, around(mesh))
+    raise UsageError(f"{path}: a mesh (.obj, .ply) or a counterexample (.json) was expected")
+
+
+def extent(mesh: Mesh) -> float:
+    """Return the length of the diagonal of a mesh; 1 if it has none."""
+    if not len(mesh.vertices):
+        return 1.0
+    with np.errstate(over="ignore", invalid="ignore"):
+        size = float(np.linalg.norm(np.ptp(mesh.vertices.astype(np.float64), axis=0)))
+    return size if np.isfinite(size) and size > 0 else 1.0
+
+
+def around(mesh: Mesh) -> Orbit:
+    """Look at a mesh from where all of it is seen."""
+    points = mesh.vertices.astype(np.float64)
+    if not len(points):
+        points = np.zeros((1, 3))
+    return orbit_around(points.min(axis=0), points.max(axis=0))
+
+
+def _small(
+    check: str,
+    mesh: Mesh,
+    trial: Trial,
+    tree: Bvh | None,
+    before: tuple[Mesh, ...],
+    rays: Rays | None,
+) -> Subject:
+    return Subject(
+        name=check,
+        title=check,
+        mesh=mesh,
+        home=around(mesh),
+        tree=tree,
+        before=before,
+        rays=rays,
+        trial=trial,
+        check=check,
+    )

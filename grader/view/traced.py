@@ -1,0 +1,272 @@
+"""What is there of a picture that is being traced, from coarse to fine?
+
+First one pixel of each block of 16 x 16 is traced, then of 4 x 4, then every one, row by row. A
+ray that is traced paints its whole block. How many rays are asked for at a time follows from
+how fast the last ones were, so that a new view need not wait for an old one.
+"""
+
+import time
+from dataclasses import dataclass
+from typing import TypeVar
+
+import numpy as np
+
+from grader.model.mesh import Floats, Integers, Mask
+from grader.run.live import Live
+from grader.view.camera import Orbit, rays_of
+
+BLOCKS = (16, 4, 1)
+"""Sides of the blocks, in pixels."""
+
+ROW_SECONDS = 0.008
+"""How long one batch should take: a new view waits for so long at most."""
+
+AHEAD_SECONDS = 0.25
+"""How much is asked for beforehand: so long nobody may have looked."""
+
+FIRST_RAYS = 32
+MOST_RAYS = 8192
+"""In one batch."""
+
+PATIENCE = 3.0
+"""Seconds without a single ray after which the submission is said to hang."""
+
+Kind = TypeVar("Kind", bound=np.generic)
+
+
+@dataclass(frozen=True, slots=True)
+class Level:
+    """All blocks of one size."""
+
+    block: int
+    first: int
+    """Place of its first ray in the turn."""
+
+    columns: int
+    rows: int
+
+    @property
+    def past(self) -> int:
+        """Place behind its last ray."""
+        return self.first + self.columns * self.rows
+
+
+def levels_of(width: int, height: int) -> tuple[Level, ...]:
+    """Divide a picture."""
+    found, first = [], 0
+    for block in BLOCKS:
+        level = Level(block, first, -(-width // block), -(-height // block))
+        found.append(level)
+        first = level.past
+    return tuple(found)
+
+
+def rays_needed(width: int, height: int) -> int:
+    """How many rays all levels of a picture have together."""
+    return levels_of(width, height)[-1].past
+
+
+class Traced:
+    """One picture by one living process; arrays are (H, W) and may be read at any time."""
+
+    def __init__(self, live: Live) -> None:
+        """Begin without a picture."""
+        self._live = live
+        self._wanted: tuple[Orbit, int, int] | None = None
+        self._levels: tuple[Level, ...] = ()
+        self._asked = self._seen = 0
+        self._spent = live.trace_seconds
+        self._rate = 0.0
+        self._heard = time.monotonic()
+        self.orbit: Orbit | None = None
+        """The camera of the picture; None if there is none yet."""
+
+        self.width = self.height = 0
+        self.hits = np.zeros((0, 0, 7), np.float32)
+        """(H, W, 7) float32: point, t and normal."""
+
+        self.tests = np.zeros((0, 0), np.int64)
+        """(H, W) int64: box tests and triangle tests of the ray that painted it."""
+
+        self.seen = np.zeros((0, 0), np.bool_)
+        """(H, W) bool, True where anything was painted."""
+
+        self.version = 0
+        """Another one whenever something was painted."""
+
+        self.seconds = 0.0
+        """In `intersect`, for this picture, as the process says."""
+
+        self.box_tests = self.triangle_tests = 0.0
+        """Mean calls a ray of the finest level, so far."""
+
+    @property
+    def is_done(self) -> bool:
+        """Whether every pixel has its own ray."""
+        return (
+            self._wanted is None and bool(self._levels) and self._seen == self._levels[-1].past
+        )
+
+    @property
+    def share(self) -> float:
+        """How much of the rays is done, 0 to 1."""
+        return self._seen / self._levels[-1].past if self._levels else 0.0
+
+    @property
+    def block(self) -> int:
+        """Side of the blocks that are being traced."""
+        return next((one.block for one in self._levels if self._seen < one.past), 1)
+
+    def begin(self, orbit: Orbit, width: int, height: int) -> None:
+        """Want another picture; the one before is dropped."""
+        self._wanted = orbit, width, height
+        self._live.turn()
+        self.advance()
+
+    def advance(self) -> bool:
+        """Ask for more, and take what came; tells whether anything was painted."""
+        live = self._live
+        if not live.is_ready:
+            self._heard = time.monotonic()
+            return False
+        if self._wanted is not None and not live.is_busy:
+            self._start(*self._wanted)
+            self._wanted = None
+        painted = False
+        if self._wanted is None and self._levels:
+            painted = self._take()
+        self._ask()
+        return painted
+
+    def hangs(self) -> bool:
+        """Whether a ray is asked for, and for too long none came."""
+        if not self._live.is_busy:
+            self._heard = time.monotonic()
+        return time.monotonic() - self._heard > PATIENCE
+
+    def pixel_of(self, place: int) -> tuple[int, int]:
+        """Return column and row of the pixel whose ray has a place in the turn."""
+        level = next((one for one in self._levels if place < one.past), self._levels[-1])
+        row, column = divmod(min(place, level.past - 1) - level.first, level.columns)
+        middle = level.block // 2
+        return (
+            min(column * level.block + middle, self.width - 1),
+            min(row * level.block + middle, self.height - 1),
+        )
+
+    def now(self) -> tuple[int, int]:
+        """Return column and row of the pixel that is being traced."""
+        return self.pixel_of(self._live.rays_done())
+
+    def _start(self, orbit: Orbit, width: int, height: int) -> None:
+        self._live.clear()
+        resized = (width, height) != (self.width, self.height)
+        self.orbit, self.width, self.height = orbit, width, height
+        self._levels = levels_of(width, height)
+        self._asked = self._seen = 0
+        self._spent, self.seconds = self._live.trace_seconds, 0.0
+        self._boxes = self._triangles = 0
+        if resized:
+            self.hits = np.full((height, width, 7), np.inf, np.float32)
+            self.tests = np.zeros((height, width), np.int64)
+            self.seen = np.zeros((height, width), np.bool_)
+        self._heard = time.monotonic()
+
+    def _ask(self) -> None:
+        """Keep the process busy for a while, level by level."""
+        if self._wanted is not None or not self._levels:
+            return
+        live, past = self._live, self._levels[-1].past
+        while self._asked < past and live.may_ask():
+            ahead = self._asked - live.rays_done()
+            if ahead > max(2 * FIRST_RAYS, self._rate * AHEAD_SECONDS):
+                return
+            level = next(one for one in self._levels if self._asked < one.past)
+            count = min(self._batch(), level.past - self._asked)
+            pixels = self._pixels(level, self._asked, count)
+            table = rays_of(self.orbit, self.width, self.height, pixels)
+            live.trace(table, self._asked)
+            self._asked += count
+
+    def _batch(self) -> int:
+        return int(min(MOST_RAYS, max(FIRST_RAYS if self._rate == 0 else 1, self._rate * ROW_SECONDS)))
+
+    def _pixels(self, level: Level, first: int, count: int) -> Integers:
+        """(K,) int64, the pixels that stand for blocks."""
+        places = np.arange(first - level.first, first - level.first + count)
+        row, column = np.divmod(places, level.columns)
+        middle = level.block // 2
+        row = np.minimum(row * level.block + middle, self.height - 1)
+        column = np.minimum(column * level.block + middle, self.width - 1)
+        return np.asarray(row * self.width + column)
+
+    def _take(self) -> bool:
+        done = min(self._live.rays_done(), self._asked)
+        if done <= self._seen:
+            return False
+        spent = self._live.trace_seconds
+        self.seconds = max(spent - self._spent, 0.0)
+        if self.seconds > 0:
+            self._rate = done / self.seconds
+        for level in self._levels:
+            first, past = max(self._seen, level.first), min(done, level.past)
+            if first < past:
+                self._paint(level, first, past)
+        self._seen, self._heard = done, time.monotonic()
+        self.version += 1
+        return True
+
+    def _paint(self, level: Level, first: int, past: int) -> None:
+        hits, tests = self._live.hits(first, past)
+        cost = tests.astype(np.int64)
+        if level.block == 1:
+            self._count(cost, past - level.first)
+            flat = slice(first - level.first, past - level.first)
+            self.hits.reshape(-1, 7)[flat] = hits
+            self.tests.reshape(-1)[flat] = cost.sum(axis=1)
+            self.seen.reshape(-1)[flat] = True
+            return
+        known = np.ones(past - first, np.bool_)
+        for row, begin, end in _rows(first - level.first, past - level.first, level.columns):
+            part = slice(row * level.columns + begin, row * level.columns + end)
+            part = slice(part.start - first + level.first, part.stop - first + level.first)
+            block = level.block
+            area = (
+                slice(row * block, (row + 1) * block),
+                slice(begin * block, min(end * block, self.width)),
+            )
+            self.hits[area] = _wide(hits[part], block, self.width - begin * block)
+            self.tests[area] = _wide(cost[part].sum(axis=1), block, self.width - begin * block)
+            self.seen[area] = _wide(known[part], block, self.width - begin * block)
+
+    def _count(self, tests: Integers, rays: int) -> None:
+        """Keep the mean of what the finest level costs."""
+        boxes, triangles = tests.sum(axis=0)
+        self._boxes += int(boxes)
+        self._triangles += int(triangles)
+        self.box_tests, self.triangle_tests = self._boxes / rays, self._triangles / rays
+
+
+def _rows(first: int, past: int, columns: int) -> list[tuple[int, int, int]]:
+    """Divide places into rows: each with its first and past column."""
+    found = []
+    for row in range(first // columns, (past - 1) // columns + 1):
+        begin = max(first - row * columns, 0)
+        found.append((row, begin, min(past - row * columns, columns)))
+    return found
+
+
+def _wide(values: np.ndarray, block: int, most: int) -> np.ndarray:
+    """Repeat along a row, cut where the picture ends."""
+    return np.repeat(values, block, axis=0)[:most]
+
+
+def agreement(one: Mask, other: Mask) -> float:
+    """Share of pixels on which two masks agree."""
+    return float((one == other).mean()) if one.size else 1.0
+
+
+def mask_of(hits: Floats) -> Mask:
+    """(H, W) bool, where something is hit."""
+    with np.errstate(invalid="ignore"):
+        return np.asarray(hits[..., 3] < np.inf)
