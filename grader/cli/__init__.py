@@ -19,6 +19,7 @@ from grader.cli.scenes import scenes
 from grader.cli.similar import similar
 from grader.cli.status import INTERRUPTED, GraderGroup
 from grader.cli.verify import verify
+from grader.cli.view import view
 
 
 @click.group(cls=GraderGroup, context_settings={"help_option_names": ["-h", "--help"]})
@@ -28,7 +29,7 @@ def cli() -> None:
 
 
 COMMANDS = (
-    *(check, grade, batch, verify, report, export, similar),
+    *(check, grade, view, batch, verify, report, export, similar),
     *(package, scenes, doctor, schema, certify, bench),
 )
 for command in COMMANDS:

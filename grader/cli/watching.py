@@ -16,25 +16,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
 from grader.errors import Interrupted, UsageError
-from grader.intake.locate import locate
+from grader.intake.saved import GLANCE_SECONDS, GONE, state_of
 from grader.model.grade import Grade
-from grader.model.stages import Submission
 from grader.model.verdict import Verdict
 from grader.report.facts import worst
 from grader.sandbox.launch import start_again, stop_everything
 
 if TYPE_CHECKING:
     from grader.cli.grading import Order
-
-GLANCE_SECONDS = 0.25
-"""Between two looks; two of them have to agree, so a save is noticed within 0.5 s."""
-
-LARGEST = 1 << 20
-"""Bytes of a source file that are looked at; the grade itself applies the rubric's limit."""
-
-GONE = ""
-"""State of a path where nothing is at the moment."""
-
 
 @dataclass(frozen=True, slots=True)
 class Watch:
@@ -43,15 +32,6 @@ class Watch:
     grade: "Callable[[Order], Grade]"
     tell: "Callable[[Grade, Order], None]"
     """Prints the worst problem of a grade."""
-
-
-def state_of(path: Path) -> str:
-    """Return a hash of what would be graded, or `GONE`."""
-    try:
-        found = locate(path, LARGEST)
-    except UsageError:
-        return GONE
-    return found.sha256 if isinstance(found, Submission) else f"rejected: {found.reason}"
 
 
 def watch(order: "Order", actions: Watch) -> NoReturn:

@@ -91,9 +91,9 @@ def of_file(path: Path) -> Subject:
         content = read(path)
         return of_trial(content.check, trial_of(content))
     if path.suffix.lower() in (".obj", ".ply", ".stl", ".off"):
-        from grader.oracle.meshes import read_model
+        from grader.oracle.imported import read_model
 
-        mesh = read_model(path)
+        mesh, _ = read_model(path)
         return Subject(path.stem, path.stem, mesh, around(mesh))
     raise UsageError(f"{path}: a mesh (.obj, .ply) or a counterexample (.json) was expected")
 

@@ -91,6 +91,9 @@ class Traced:
         self.seen = np.zeros((0, 0), np.bool_)
         """(H, W) bool, True where anything was painted."""
 
+        self.fine = np.zeros((0, 0), np.bool_)
+        """(H, W) bool, True for pixels that have their own ray."""
+
         self.version = 0
         """Another one whenever something was painted."""
 
@@ -170,6 +173,8 @@ class Traced:
             self.hits = np.full((height, width, 7), np.inf, np.float32)
             self.tests = np.zeros((height, width), np.int64)
             self.seen = np.zeros((height, width), np.bool_)
+            self.fine = np.zeros((height, width), np.bool_)
+        self.fine[:] = False
         self._heard = time.monotonic()
 
     def _ask(self) -> None:
@@ -225,6 +230,7 @@ class Traced:
             self.hits.reshape(-1, 7)[flat] = hits
             self.tests.reshape(-1)[flat] = cost.sum(axis=1)
             self.seen.reshape(-1)[flat] = True
+            self.fine.reshape(-1)[flat] = True
             return
         known = np.ones(past - first, np.bool_)
         for row, begin, end in _rows(first - level.first, past - level.first, level.columns):

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from grader.certify.corpus import corpus_folder
-from grader.cli.watching import GONE, state_of
+from grader.intake.saved import GONE, state_of
 from grader.resources import reference_source
 from tests.cli.test_processes import environment, stand_in
 

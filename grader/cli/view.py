@@ -1,0 +1,61 @@
+"""The command `view`: a submission's tree and rays, looked at from any side."""
+
+from pathlib import Path
+
+import click
+
+from grader.cli.interrupts import interruptible
+from grader.cli.options import (
+    SEED,
+    language_option,
+    rubric_option,
+    submission_type,
+    unsafe_option,
+)
+from grader.cli.progress import silent
+from grader.errors import UsageError
+from grader.language import translator, usual_language
+
+
+@click.command()
+@click.argument("submission", type=submission_type)
+@click.option("--scene", metavar="NAME", help="Begin with this scene (default: the dragon).")
+@click.option("--check", metavar="ID", help="Begin with the input that fails this check.")
+@click.option("--web", is_flag=True, help="Show it in a browser; needs no display here.")
+@click.option(
+    "--screenshot",
+    type=click.Path(dir_okay=False, path_type=Path),
+    metavar="PNG",
+    help="Draw both panes into a file instead of a window.",
+)
+@rubric_option
+@language_option
+@unsafe_option
+def view(
+    submission: Path,
+    scene: str | None,
+    check: str | None,
+    web: bool,
+    screenshot: Path | None,
+    rubric: Path | None,
+    language: str | None,
+    unsafe_no_isolation: bool,
+) -> None:
+    """Look at a submission's tree and at the picture that it traces.
+
+    Needs pip install "bvhgrade[view]", but for --web.
+
+    Exit status: 0 closed, 2 wrong usage, 3 nothing can be shown.
+    """
+    from grader.options import Options
+    from grader.view.opening import Wish, opening
+
+    if scene and check:
+        raise UsageError("--scene and --check both say what to begin with; give one of them")
+    if web and screenshot:
+        raise UsageError("--web and --screenshot both say where to show it; give one of them")
+    options = Options(SEED, rubric, (), silent, isolated=not unsafe_no_isolation)
+    words = translator(language or usual_language())
+    wish = Wish(submission, options, scene, check, words)
+    with interruptible():
+        opening(wish, web, screenshot)

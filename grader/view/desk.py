@@ -1,0 +1,238 @@
+"""Everything that the viewer knows, whoever shows it: a window, a page or a file.
+
+It is looked at many times a second and never waits: compiling and loading go on in threads, the
+submission in a process of its own. Whatever that does, the desk stays.
+"""
+
+import threading
+from collections.abc import Callable
+from concurrent.futures import Future, ThreadPoolExecutor
+from contextlib import ExitStack
+from enum import Enum
+from pathlib import Path
+
+from grader.errors import GraderError
+from grader.intake.saved import GLANCE_SECONDS, GONE, state_of
+from grader.model.mesh import Mesh
+from grader.options import Options
+from grader.sandbox.nursery import Nursery
+from grader.sandbox.scratch import scratch_folder
+from grader.view.boxes import deepest_of
+from grader.view.camera import Orbit
+from grader.view.stage import Stage, State
+from grader.view.subject import Subject, of_scene
+from grader.view.thinned import thinned
+from grader.view.workshop import Product, built, our_own
+
+USUAL_LEVEL = 6
+
+Load = Callable[[], Subject]
+
+
+class Mode(Enum):
+    """What the right pane shows."""
+
+    SHADED = "shaded"
+    COST = "cost"
+    REFERENCE = "reference"
+    DIFFERENCE = "difference"
+
+
+COMPARING = (Mode.REFERENCE, Mode.DIFFERENCE)
+
+
+class Desk:
+    """One submission that is looked at; use it as a context, from one thread."""
+
+    def __init__(self, path: Path, options: Options, first: Load) -> None:
+        """Begin to compile and to load.
+
+        Args:
+            path: The submission.
+            options: The rubric and the isolation.
+            first: Loads what is shown first.
+        """
+        self.path, self._options = path, options
+        self._held = ExitStack()
+        self._nursery = self._held.enter_context(Nursery())
+        self._aside = ThreadPoolExecutor(2)
+        self._over = threading.Event()
+        self._loading: Future[tuple[Subject, Mesh]] | None = None
+        self._building: Future[Product] | None = None
+        self._built_state = GONE
+        self._saved = GONE
+        self.product: Product | None = None
+        """The last build; None as long as there is none."""
+
+        self.subject: Subject | None = None
+        self.light: Mesh | None = None
+        """A coarser mesh of the subject, for while the camera moves."""
+
+        self.subjects = 0
+        """Counts subjects, so that a pane notices another one."""
+
+        self.stage: Stage | None = None
+        self.rival: Stage | None = None
+        """The model solution on the same subject, while it is compared."""
+
+        self.orbit: Orbit | None = None
+        self.size = (512, 512)
+        """Of the right pane in pixels."""
+
+        self.mode = Mode.SHADED
+        self.level, self.only = USUAL_LEVEL, False
+        self.fault = ""
+        """A sentence of ours about what could not be done; empty if all could."""
+
+        self._watching = threading.Thread(target=self._watch, daemon=True)
+        self._watching.start()
+        self.choose(first)
+        self.rebuild()
+
+    def __enter__(self) -> "Desk":
+        """Begin the block."""
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """End every process and thread."""
+        self._over.set()
+        self._aside.shutdown(wait=True, cancel_futures=True)
+        self._clear()
+        self._held.close()
+
+    def choose(self, load: Load) -> None:
+        """Show something else, once it is loaded."""
+        self._loading = self._aside.submit(_loaded, load)
+
+    def choose_scene(self, name: str) -> None:
+        """Show a stored scene."""
+        self.choose(lambda: of_scene(name))
+
+    def rebuild(self) -> None:
+        """Compile what lies there now."""
+        self._built_state = state_of(self.path)
+        folder = self._held.enter_context(scratch_folder())
+        self._building = self._aside.submit(
+            built, self.path, folder, self._nursery, self._options
+        )
+
+    @property
+    def is_building(self) -> bool:
+        """Whether it is being compiled."""
+        return self._building is not None
+
+    @property
+    def is_loading(self) -> bool:
+        """Whether something else is being loaded."""
+        return self._loading is not None
+
+    @property
+    def deepest(self) -> int:
+        """The last level of boxes; -1 if there is no tree."""
+        return deepest_of(self.stage.tree) if self.stage else -1
+
+    def advance(self) -> bool:
+        """Take what is finished; tells whether anything is to be shown anew."""
+        changed = self._take_subject() | self._take_product()
+        if self._saved not in (GONE, self._built_state) and not self.is_building:
+            self.rebuild()
+            changed = True
+        for stage in (self.stage, self.rival):
+            changed |= self._advance(stage)
+        return changed
+
+    def look(self, orbit: Orbit) -> None:
+        """Move the camera."""
+        self.orbit = orbit
+        self._show()
+
+    def resize(self, width: int, height: int) -> None:
+        """Have another size."""
+        if (width, height) != self.size and width > 0 and height > 0:
+            self.size = width, height
+            self._show()
+
+    def compare(self, mode: Mode) -> None:
+        """Choose what the right pane shows; the model solution is only run if it is wanted."""
+        self.mode = mode
+        if mode in COMPARING and self.rival is None and self.subject is not None:
+            try:
+                self.rival = Stage(self.subject, our_own(self._nursery))
+            except GraderError as fault:
+                self.fault = str(fault)
+                return
+            if self.orbit is not None:
+                self.rival.show(self.orbit, *self.size)
+
+    def _advance(self, stage: Stage | None) -> bool:
+        if stage is None:
+            return False
+        before = stage.state
+        try:
+            painted = stage.advance()
+        except GraderError as fault:
+            self.fault = str(fault)
+            stage.state = State.ENDED
+            return True
+        return painted or stage.state is not before
+
+    def _show(self) -> None:
+        for stage in (self.stage, self.rival):
+            if stage is not None and self.orbit is not None:
+                stage.show(self.orbit, *self.size)
+
+    def _take_subject(self) -> bool:
+        if self._loading is None or not self._loading.done():
+            return False
+        loading, self._loading = self._loading, None
+        try:
+            self.subject, self.light = loading.result()
+        except GraderError as fault:
+            self.fault = str(fault)
+            return True
+        self.fault = ""
+        self.orbit = self.subject.home
+        self.subjects += 1
+        self._restart()
+        return True
+
+    def _take_product(self) -> bool:
+        if self._building is None or not self._building.done():
+            return False
+        building, self._building = self._building, None
+        try:
+            self.product = building.result()
+        except GraderError as fault:
+            self.fault = str(fault)
+            return True
+        self._restart()
+        return True
+
+    def _restart(self) -> None:
+        """Have the submission begin anew with what is shown."""
+        self._clear()
+        if self.subject is None or self.product is None or self.product.engine is None:
+            return
+        self.stage = Stage(self.subject, self.product.engine)
+        self.compare(self.mode)
+        self._show()
+
+    def _clear(self) -> None:
+        for stage in (self.stage, self.rival):
+            if stage is not None:
+                stage.close()
+        self.stage = self.rival = None
+
+    def _watch(self) -> None:
+        """Look at the file until the end; what is the same for two looks counts as saved."""
+        last = GONE
+        while not self._over.wait(GLANCE_SECONDS):
+            now = state_of(self.path)
+            if now == last:
+                self._saved = now
+            last = now
+
+
+def _loaded(load: Load) -> tuple[Subject, Mesh]:
+    subject = load()
+    return subject, thinned(subject.mesh)
