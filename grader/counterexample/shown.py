@@ -139,11 +139,11 @@ def _ray(
         face=int(answers.face[nearest]) if nearest >= 0 else -1,
         lost=found.node,
         sentence=found.text,
-        steps=tuple(_steps(setting)),
+        steps=tuple(steps_of(setting)),
     )
 
 
-def _steps(setting: Setting) -> Sequence[Step]:
+def steps_of(setting: Setting) -> Sequence[Step]:
     """Tell the first tests that the submission called, in order."""
     path, mesh = setting.path, setting.mesh
     count = min(len(path.is_box), MOST_STEPS)

@@ -170,14 +170,19 @@ class Live:
         self._send(Op.TRACE, self._slot, at, count, hits, tests, done, self._turn)
         self._rows.append((number, count))
 
-    def record(self, ray: Floats) -> None:
-        """Ask for the way of one ray, (8,) float32; read it by `walk` once nothing is busy."""
+    def record(self, ray: Floats) -> int:
+        """Ask for the way of one ray, (8,) float32.
+
+        Returns:
+            Once `rows_done` is larger than this, `walk` reads it.
+        """
         room = self._room
         self._memory[room.ray : room.ray + RAY_BYTES] = ray.tobytes()
         self._memory[room.step_count : room.step_count + 8] = bytes(8)
         self._send(
             Op.RECORD, self._slot, room.ray, room.hit, room.steps, MOST_STEPS, room.step_count
         )
+        return self._first_rows + self._asked - 1
 
     def walk(self) -> Walk:
         """Read the way that was asked for last."""

@@ -81,8 +81,8 @@ class Desk:
 
         self.mode = Mode.SHADED
         self.level, self.only = USUAL_LEVEL, False
-        self.fault = ""
-        """A sentence of ours about what could not be done; empty if all could."""
+        self.fault: GraderError | None = None
+        """What could not be done, for our own reason or because of what was asked for."""
 
         self._watching = threading.Thread(target=self._watch, daemon=True)
         self._watching.start()
@@ -159,7 +159,7 @@ class Desk:
             try:
                 self.rival = Stage(self.subject, our_own(self._nursery))
             except GraderError as fault:
-                self.fault = str(fault)
+                self.fault = fault
                 return
             if self.orbit is not None:
                 self.rival.show(self.orbit, *self.size)
@@ -171,7 +171,7 @@ class Desk:
         try:
             painted = stage.advance()
         except GraderError as fault:
-            self.fault = str(fault)
+            self.fault = fault
             stage.state = State.ENDED
             return True
         return painted or stage.state is not before
@@ -188,9 +188,9 @@ class Desk:
         try:
             self.subject, self.light = loading.result()
         except GraderError as fault:
-            self.fault = str(fault)
+            self.fault = fault
             return True
-        self.fault = ""
+        self.fault = None
         self.orbit = self.subject.home
         self.subjects += 1
         self._restart()
@@ -203,7 +203,7 @@ class Desk:
         try:
             self.product = building.result()
         except GraderError as fault:
-            self.fault = str(fault)
+            self.fault = fault
             return True
         self._restart()
         return True

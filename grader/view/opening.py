@@ -1,16 +1,20 @@
 """What is opened, and where: a window, a page or a file."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from grader.errors import UsageError
 from grader.language import Words
 from grader.options import Options
 from grader.oracle.scenes import scene_named, scenes
+from grader.report.facts import counterexample_file
 from grader.view.desk import Desk, Load
-from grader.view.subject import of_scene
+from grader.view.study import Study
+from grader.view.subject import Subject, of_file, of_scene, of_trial
 
 USUAL_SCENE = "dragon"
+RESULTS = "bvhgrade-out"
+"""Where `check` and `grade` leave a result, if nobody says otherwise."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,6 +25,8 @@ class Wish:
     options: Options
     scene: str | None
     check: str | None
+    """Id of a check, or the file of a counterexample."""
+
     words: Words
 
 
@@ -33,35 +39,59 @@ def opening(wish: Wish, web: bool, picture: Path | None) -> None:
         GraderError: Our own fault; nothing is concluded about the submission.
     """
     first = wanted(wish)
-    if picture is not None:
-        _drawn(wish, first, picture)
-        return
     with Desk(wish.path, wish.options, first) as desk:
+        study = Study(desk)
+        try:
+            _shown(wish, study, desk, web, picture)
+        finally:
+            study.close()
+
+
+def _shown(wish: Wish, study: Study, desk: Desk, web: bool, picture: Path | None) -> None:
+    names = [scene.name for scene in scenes()]
+    if picture is not None:
+        from grader.view.screenshot import screenshot
+
+        screenshot(desk, study, picture)
+    elif web:
+        from grader.view.server import served
+
+        served(desk, study, names, wish.words)
+    else:
         from grader.view.window import Window, opened
 
-        window = Window(desk, [scene.name for scene in scenes()], wish.words)
-        opened(window, f"bvhgrade view {wish.path.name}")
+        opened(Window(desk, study, names, wish.words), f"bvhgrade view {wish.path.name}")
 
 
 def wanted(wish: Wish) -> Load:
     """Say what is shown first.
 
     Raises:
-        UsageError: There is no such scene.
+        UsageError: There is no such scene or check, or it does not fail.
     """
-    name = scene_named(wish.scene or USUAL_SCENE).name
-    return lambda: of_scene(name)
+    if wish.check is None:
+        name = scene_named(wish.scene or USUAL_SCENE).name
+        return lambda: of_scene(name)
+    if wish.check.endswith(".json"):
+        return _opened(Path(wish.check))
+    for folder in (wish.path, wish.path.parent / RESULTS, Path(RESULTS)):
+        file = folder / counterexample_file(wish.check)
+        if file.is_file():
+            return _opened(file)
+    return lambda: _searched(wish, wish.check or "")
 
 
-def _drawn(wish: Wish, first: Load, picture: Path) -> None:
-    from grader.sandbox.nursery import Nursery
-    from grader.sandbox.scratch import scratch_folder
-    from grader.view.screenshot import screenshot
-    from grader.view.workshop import built
+def _opened(file: Path) -> Load:
+    subject = of_file(file)
+    return lambda: subject
 
-    with scratch_folder() as folder, Nursery() as nursery:
-        product = built(wish.path, folder, nursery, wish.options)
-        if product.engine is None:
-            reason = product.refused or "it does not compile; bvhgrade check says why"
-            raise UsageError(f"{wish.path}: {reason}")
-        screenshot(first(), product.engine, picture)
+
+def _searched(wish: Wish, check: str) -> Subject:
+    """Grade for this check alone, and show the smallest input that fails it."""
+    from grader.pipeline import grade_one
+
+    grade = grade_one(wish.path, replace(wish.options, only=(check,), counterexamples=True))
+    found = [one.counterexample for one in grade.checks if one.check == check]
+    if not found or found[0] is None:
+        raise UsageError(f"{check}: there is no input that fails it")
+    return of_trial(check, found[0].trial)

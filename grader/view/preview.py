@@ -89,6 +89,10 @@ class Preview:
         self._meshes[name] = array
         self._held[name] = [array, points, corners]
 
+    def unload(self, name: str) -> None:
+        """Forget a mesh."""
+        self._drop(name)
+
     def load_tree(self, tree: Bvh | None) -> None:
         """Take the boxes of a tree; whatever stands in it, nothing is drawn outside of it."""
         self._drop("tree")

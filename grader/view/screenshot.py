@@ -1,20 +1,22 @@
 """Both panes in a file, without a window: what `view --screenshot` does."""
 
 import time
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from grader.errors import MissingTool, OutputFault
+from grader.errors import MissingTool, OutputFault, UsageError
 from grader.model.mesh import Bytes
-from grader.run.session import Engine
-from grader.view.boxes import deepest_of
+from grader.view.desk import COMPARING, Desk
+from grader.view.needed import INSTALL
+from grader.view.overlay import Stroke, projected
+from grader.view.picture import shown
 from grader.view.preview import Preview
-from grader.view.shades import shaded, tint
-from grader.view.camera import frame_of
-from grader.view.stage import Stage, State
-from grader.view.subject import Subject
+from grader.view.shades import tint
+from grader.view.stage import State
+from grader.view.study import Study
 
 if TYPE_CHECKING:
     import moderngl
@@ -23,7 +25,25 @@ SIZE = (640, 640)
 """Of one pane."""
 
 GAP = 8
-USUAL_LEVEL = 6
+EMPTY = 40
+"""Brightness of a pane without a picture."""
+
+PAUSE_SECONDS = 0.004
+
+
+def screenshot(desk: Desk, study: Study, path: Path) -> None:
+    """Draw both panes into a PNG, as soon as everything is traced.
+
+    Raises:
+        UsageError: The submission does not compile, or nothing can be loaded.
+        MissingTool: There is no OpenGL.
+        OutputFault: The file cannot be written.
+        GraderError: Our own fault; nothing is concluded about the submission.
+    """
+    context = surfaceless()
+    desk.resize(*SIZE)
+    wait(desk, study)
+    save(panes(desk, study, Preview(context)), path)
 
 
 def surfaceless() -> "moderngl.Context":
@@ -47,49 +67,65 @@ def surfaceless() -> "moderngl.Context":
         raise MissingTool(message) from fault
 
 
-INSTALL = 'the viewer needs more packages: pip install "bvhgrade[view]"'
-
-
-def finished(stage: Stage, subject: Subject, size: tuple[int, int]) -> Bytes:
-    """Trace a whole picture, or as much as the submission lets us; (H, W, 3) uint8."""
-    stage.show(subject.home, *size)
-    while stage.state is not State.ENDED and not stage.traced.is_done:
-        stage.advance()
-        time.sleep(0.002)
-    traced = stage.traced
-    width, height = size
-    if traced.orbit is None:
-        return np.full((height, width, 3), 40, np.uint8)
-    flat = shaded(traced.hits.reshape(-1, 7), frame_of(subject.home), subject.albedo)
-    return flat.reshape(height, width, 3)
-
-
-def screenshot(subject: Subject, engine: Engine, path: Path) -> str:
-    """Draw both panes into a PNG.
-
-    Returns:
-        What the submission did wrong, if it ended; empty if not.
+def wait(desk: Desk, study: Study) -> None:
+    """Wait until there is nothing more to come.
 
     Raises:
-        MissingTool: There is no OpenGL.
-        OutputFault: The file cannot be written.
+        UsageError: The submission does not compile, or nothing can be loaded.
+        GraderError: Our own fault.
     """
-    context = surfaceless()
-    stage = Stage(subject, engine)
-    try:
-        right = finished(stage, subject, SIZE)
-        preview = Preview(context)
-        preview.tint = tint(subject.albedo)
-        preview.load("whole", subject.mesh)
-        preview.load_tree(stage.tree)
-        level = min(USUAL_LEVEL, deepest_of(stage.tree))
-        preview.draw(subject.home, SIZE, level, only=False, moving=False)
-        left = preview.pixels()
-    finally:
-        stage.close()
-    gap = np.full((SIZE[1], GAP, 3), 12, np.uint8)
-    save(np.concatenate([left, gap, right], axis=1), path)
-    return stage.trouble
+    while not _is_done(desk, study):
+        if not desk.advance() | study.advance():
+            time.sleep(PAUSE_SECONDS)
+        if desk.fault is not None:
+            raise desk.fault
+        product = desk.product
+        if product is not None and product.engine is None:
+            reason = product.refused or "it does not compile; bvhgrade check says why"
+            raise UsageError(f"{desk.path}: {reason}")
+
+
+def _is_done(desk: Desk, study: Study) -> bool:
+    if desk.stage is None or desk.is_loading or desk.is_building:
+        return False
+    stages = [desk.stage]
+    if desk.mode in COMPARING and desk.rival is not None:
+        stages.append(desk.rival)
+    ended = desk.stage.state is State.ENDED
+    still = study.is_busy and not ended
+    return not still and all(
+        one.state is State.ENDED or one.traced.is_done for one in stages
+    )
+
+
+def panes(desk: Desk, study: Study, preview: Preview) -> Bytes:
+    """Draw what is on a desk: (H, 2 W + GAP, 3) uint8."""
+    subject, orbit, (width, height) = desk.subject, desk.orbit, desk.size
+    if subject is None or orbit is None:
+        raise AssertionError("something is on the desk")
+    preview.tint = tint(subject.albedo)
+    preview.load("whole", subject.mesh)
+    preview.load_tree(desk.stage.tree if desk.stage else None)
+    level = min(desk.level, desk.deepest)
+    preview.draw(orbit, desk.size, level, only=desk.only, moving=False)
+    strokes = [projected(one, orbit, width, height) for one in study.strokes()]
+    left = over(preview.pixels(), strokes)
+    seen = shown(desk)
+    right = np.full((height, width, 3), EMPTY, np.uint8) if seen is None else seen.pixels
+    gap = np.zeros((height, GAP, 3), np.uint8)
+    return np.concatenate([left, gap, right], axis=1)
+
+
+def over(pixels: Bytes, strokes: Sequence[Stroke]) -> Bytes:
+    """Draw lines over a picture."""
+    from PIL import Image, ImageDraw
+
+    image = Image.fromarray(pixels)
+    draw = ImageDraw.Draw(image)
+    for stroke in strokes:
+        for one, other in stroke.lines.tolist():
+            draw.line((*one, *other), fill=stroke.colour, width=max(1, round(stroke.width)))
+    return np.asarray(image, np.uint8)
 
 
 def save(pixels: Bytes, path: Path) -> None:

@@ -31,6 +31,9 @@ MOST_RAYS = 8192
 PATIENCE = 3.0
 """Seconds without a single ray after which the submission is said to hang."""
 
+LONGEST_LOOK = 0.25
+"""Of the time between two looks so much counts: on a busy machine we wait in line, too."""
+
 Kind = TypeVar("Kind", bound=np.generic)
 
 
@@ -77,7 +80,7 @@ class Traced:
         self._asked = self._seen = 0
         self._spent = live.trace_seconds
         self._rate = 0.0
-        self._heard = time.monotonic()
+        self._unheard, self._looked = 0.0, time.monotonic()
         self.orbit: Orbit | None = None
         """The camera of the picture; None if there is none yet."""
 
@@ -129,8 +132,11 @@ class Traced:
     def advance(self) -> bool:
         """Ask for more, and take what came; tells whether anything was painted."""
         live = self._live
+        now = time.monotonic()
+        self._unheard += min(now - self._looked, LONGEST_LOOK)
+        self._looked = now
         if not live.is_ready:
-            self._heard = time.monotonic()
+            self._unheard = 0.0
             return False
         if self._wanted is not None and not live.is_busy:
             self._start(*self._wanted)
@@ -144,8 +150,8 @@ class Traced:
     def hangs(self) -> bool:
         """Whether a ray is asked for, and for too long none came."""
         if not self._live.is_busy:
-            self._heard = time.monotonic()
-        return time.monotonic() - self._heard > PATIENCE
+            self._unheard = 0.0
+        return self._unheard > PATIENCE
 
     def pixel_of(self, place: int) -> tuple[int, int]:
         """Return column and row of the pixel whose ray has a place in the turn."""
@@ -175,7 +181,7 @@ class Traced:
             self.seen = np.zeros((height, width), np.bool_)
             self.fine = np.zeros((height, width), np.bool_)
         self.fine[:] = False
-        self._heard = time.monotonic()
+        self._unheard = 0.0
 
     def _ask(self) -> None:
         """Keep the process busy for a while, level by level."""
@@ -194,7 +200,10 @@ class Traced:
             self._asked += count
 
     def _batch(self) -> int:
-        return int(min(MOST_RAYS, max(FIRST_RAYS if self._rate == 0 else 1, self._rate * ROW_SECONDS)))
+        """How many rays fit into one batch."""
+        if not self._rate:
+            return FIRST_RAYS
+        return int(min(MOST_RAYS, max(1, self._rate * ROW_SECONDS)))
 
     def _pixels(self, level: Level, first: int, count: int) -> Integers:
         """(K,) int64, the pixels that stand for blocks."""
@@ -217,7 +226,7 @@ class Traced:
             first, past = max(self._seen, level.first), min(done, level.past)
             if first < past:
                 self._paint(level, first, past)
-        self._seen, self._heard = done, time.monotonic()
+        self._seen, self._unheard = done, 0.0
         self.version += 1
         return True
 

@@ -1,0 +1,198 @@
+"""The column beside the panes: the picture's kind, one node, one ray, and what went wrong."""
+
+from pathlib import Path
+from types import ModuleType
+
+import numpy as np
+
+from grader.errors import OutputFault
+from grader.language import Words
+from grader.plain import one_line
+from grader.report.colours import HEAT
+from grader.verify.check import vector
+from grader.view.desk import Desk, Mode
+from grader.view.inspector import MOST_FACES, NodeFacts
+from grader.view.picture import Shown
+from grader.view.study import Study
+from grader.view.walking import deepest_known
+
+WIDTH = 300
+"""Pixels at the usual size of letters."""
+
+SCALE_STOPS = 24
+GOOD, BAD, SOFT = (0.5, 0.85, 0.6, 1.0), (1.0, 0.45, 0.4, 1.0), (0.65, 0.68, 0.72, 1.0)
+
+
+class Panel:
+    """Draws the column; every text of a stranger goes through `one_line`."""
+
+    def __init__(self, desk: Desk, study: Study, words: Words) -> None:
+        self._desk, self._study, self._words = desk, study, words
+        self.saved = ""
+        """Where the last picture was saved, or why it was not."""
+
+    def draw(self, imgui: ModuleType, shown: Shown | None) -> None:
+        """Draw everything, from top to bottom."""
+        self._kind(imgui)
+        self._scale(imgui, shown)
+        self._trouble(imgui)
+        self._node(imgui)
+        self._ray(imgui)
+
+    def _kind(self, imgui: ModuleType) -> None:
+        """Choose what the right pane shows."""
+        desk, words = self._desk, self._words
+        names = {
+            Mode.SHADED: words("your picture"),
+            Mode.COST: words("cost of each ray"),
+            Mode.REFERENCE: words("model solution"),
+            Mode.DIFFERENCE: words("pixels that differ"),
+        }
+        imgui.set_next_item_width(-1)
+        if imgui.begin_combo("##mode", names[desk.mode]):
+            for mode, name in names.items():
+                if imgui.selectable(name, mode is desk.mode)[0]:
+                    desk.compare(mode)
+            imgui.end_combo()
+
+    def _scale(self, imgui: ModuleType, shown: Shown | None) -> None:
+        """Show what the colours mean."""
+        if shown is None:
+            return
+        words = self._words
+        if shown.wrong >= 0:
+            imgui.text_wrapped(words("{count} pixels differ").format(count=f"{shown.wrong:,}"))
+        if not shown.scale:
+            return
+        corner, width = imgui.get_cursor_screen_pos(), imgui.get_content_region_avail().x
+        drawn = imgui.get_window_draw_list()
+        for stop in range(SCALE_STOPS):
+            colour = HEAT[255 * stop // (SCALE_STOPS - 1)]
+            left = corner.x + width * stop / SCALE_STOPS
+            drawn.add_rect_filled(
+                (left, corner.y),
+                (left + width / SCALE_STOPS + 1, corner.y + 12),
+                colour_of(imgui, colour),
+            )
+        imgui.dummy((width, 12))
+        text = words("0 to {scale} tests and more; mean {boxes} of boxes, {triangles} of faces")
+        traced = self._desk.stage.traced if self._desk.stage else None
+        if traced is not None:
+            imgui.text_wrapped(
+                text.format(
+                    scale=shown.scale,
+                    boxes=f"{traced.box_tests:.1f}",
+                    triangles=f"{traced.triangle_tests:.1f}",
+                )
+            )
+
+    def _trouble(self, imgui: ModuleType) -> None:
+        """Say what the submission, or a wish, came to."""
+        desk, words = self._desk, self._words
+        if desk.product is not None and desk.product.engine is None:
+            imgui.text_colored(BAD, words("It does not compile:"))
+            imgui.text_wrapped(one_line(desk.product.refused))
+            for each in desk.product.diagnostics[:8]:
+                imgui.text_wrapped(f"{each.line}: {one_line(each.text, 300)}")
+        if desk.stage is not None and desk.stage.trouble:
+            imgui.push_style_color(imgui.Col_.text, BAD)
+            imgui.text_wrapped(one_line(desk.stage.trouble, 300))
+            imgui.pop_style_color()
+        for text in (self._study.remark, self.saved):
+            if text:
+                imgui.text_wrapped(one_line(text, 300))
+
+    def _node(self, imgui: ModuleType) -> None:
+        words, facts = self._words, self._study.facts
+        imgui.separator_text(words("Node"))
+        if facts is None:
+            imgui.text_wrapped(words("Click a box on the left, or enter a number."))
+        changed, node = imgui.input_int("##node", facts.node if facts else 0)
+        if changed:
+            self._study.select(node)
+        if facts is not None:
+            self._facts(imgui, facts)
+
+    def _facts(self, imgui: ModuleType, facts: NodeFacts) -> None:
+        words, study = self._words, self._study
+        imgui.text(words("level {level}, faces [{begin}, {end})").format(
+            level=facts.level, begin=facts.begin, end=facts.end
+        ))
+        few = ", ".join(map(str, facts.faces[:MOST_FACES].tolist()))
+        more = ", ..." if facts.faces.size > MOST_FACES else ""
+        imgui.text_wrapped(f"{few}{more}")
+        imgui.text_wrapped(f"min {vector(facts.low)}")
+        imgui.text_wrapped(f"max {vector(facts.high)}")
+        if facts.parent >= 0 and imgui.small_button(f"{words('parent')} {facts.parent}"):
+            study.select(facts.parent)
+        for child in facts.children:
+            imgui.same_line()
+            if imgui.small_button(f"{words('child')} {child}"):
+                study.select(child)
+        if study.judgement is None:
+            imgui.text_colored(SOFT, words("looking at every node ..."))
+        elif not facts.faults:
+            imgui.text_colored(GOOD, words("Nothing is wrong with this node."))
+        for fault in facts.faults:
+            imgui.push_style_color(imgui.Col_.text, BAD)
+            imgui.text_wrapped(fault)
+            imgui.pop_style_color()
+
+    def _ray(self, imgui: ModuleType) -> None:
+        words, study = self._words, self._study
+        imgui.separator_text(words("Ray"))
+        walk = study.walk
+        if walk is None:
+            imgui.text_wrapped(words("Click a pixel on the right to follow its ray."))
+            return
+        hit = words("hit at t = {t}").format(t=f"{walk.found:.6g}")
+        imgui.text(f"{walk.title}: {hit if walk.found < np.inf else words('no hit')}")
+        if walk.expected is not None:
+            right = f"{walk.expected:.6g}" if walk.expected < np.inf else words("no hit")
+            imgui.text(words("expected: {right}").format(right=right))
+        if walk.sentence:
+            imgui.text_wrapped(walk.sentence)
+        if imgui.arrow_button("##back", imgui.Dir.left):
+            study.walk_to(study.step - 1)
+        imgui.same_line()
+        if imgui.arrow_button("##on", imgui.Dir.right):
+            study.walk_to(study.step + 1)
+        imgui.same_line()
+        imgui.text(words("step {step} of {steps}").format(step=study.step, steps=walk.total))
+        self._steps(imgui)
+
+    def _steps(self, imgui: ModuleType) -> None:
+        """List what the ray tested, in order."""
+        words, study = self._words, self._study
+        walk = study.walk
+        if walk is None or not imgui.begin_child("##steps", (0, 0)):
+            imgui.end_child()
+            return
+        lost = deepest_known(walk)
+        for place, one in enumerate(walk.steps):
+            what = words("node {node}") if one.node >= 0 else words("face {face}")
+            name = what.format(node=one.node, face=one.face)
+            if one.node < 0 and one.face < 0:
+                name = words("something else")
+            end = words("hit") if one.hit else words("missed")
+            mark = "  <-- " + words("lost here") if place == lost else ""
+            if imgui.selectable(f"{name}: {end}{mark}##{place}", place == study.step - 1)[0]:
+                study.walk_to(place + 1)
+        imgui.end_child()
+
+
+def colour_of(imgui: ModuleType, rgb: tuple[int, int, int] | np.ndarray) -> int:
+    """Pack a colour as ImGui wants it."""
+    red, green, blue = (int(value) / 255 for value in rgb)
+    return int(imgui.get_color_u32((red, green, blue, 1.0)))
+
+
+def saved(pixels: np.ndarray, path: Path, words: Words) -> str:
+    """Save a picture, and say where it is or why it is not."""
+    from grader.view.screenshot import save
+
+    try:
+        save(pixels, path)
+    except OutputFault as fault:
+        return str(fault)
+    return words("saved as {path}").format(path=path)

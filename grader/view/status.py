@@ -1,0 +1,42 @@
+"""What is said of a desk in one line: how far everything is, and the numbers of the moment."""
+
+from grader.language import Words
+from grader.plain import one_line
+from grader.view.desk import Desk
+from grader.view.stage import Stage, State
+
+
+def status(desk: Desk, words: Words) -> str:
+    """Put it together; the first thing is what went wrong, if anything did."""
+    parts = []
+    if desk.fault is not None:
+        parts.append(one_line(str(desk.fault)))
+    if desk.is_loading:
+        parts.append(words("loading ..."))
+    if desk.is_building:
+        parts.append(words("compiling ..."))
+    elif desk.product is not None and desk.product.engine is None:
+        parts.append(words("It does not compile."))
+    if desk.subject is not None:
+        parts.append(words("{faces} faces").format(faces=f"{len(desk.subject.mesh.faces):,}"))
+    if desk.stage is not None:
+        parts += _of_stage(desk.stage, words)
+    return "   ".join(parts)
+
+
+def _of_stage(stage: Stage, words: Words) -> list[str]:
+    traced, parts = stage.traced, []
+    if stage.trouble:
+        parts.append(one_line(stage.trouble, 200))
+    if stage.tree is not None:
+        parts.append(words("{nodes} nodes").format(nodes=f"{stage.tree.node_count:,}"))
+    if stage.state is State.CONSTRUCTING:
+        parts.append(words("construct runs ..."))
+    elif stage.subject.tree is not None:
+        parts.append(words("the tree is the model solution's"))
+    else:
+        parts.append(f"construct {1000 * stage.construct_seconds:.0f} ms")
+    if traced.orbit is not None:
+        parts.append(f"intersect {1000 * traced.seconds:.0f} ms")
+        parts.append(f"{100 * traced.share:.0f} %")
+    return parts
