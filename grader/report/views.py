@@ -48,7 +48,7 @@ def to_json(views: Views) -> Json:
     return {
         "schema": SCHEMA_VERSION,
         "pictures": _pictures(views.pictures),
-        "models": [_model(one) for one in views.models],
+        "models": [model_json(one) for one in views.models],
         "tables": [_table(check, table) for check, table in views.tables],
     }
 
@@ -153,7 +153,8 @@ def _webp(pixels: Bytes) -> str:
     return base64.b64encode(made.getvalue()).decode("ascii")
 
 
-def _model(given: Model) -> Json:
+def model_json(given: Model) -> Json:
+    """Write a model: positions as 16-bit numbers, packed."""
     vertices = given.mesh.vertices.astype(np.float64)
     corners_of_all = vertices if len(vertices) else np.zeros((1, 3))
     low, size = corners_of_all.min(axis=0), np.ptp(corners_of_all, axis=0)
@@ -177,12 +178,12 @@ def _model(given: Model) -> Json:
         },
         "node": given.node if given.node >= 0 else None,
         "expected_box": _numbers(np.array(given.right_box)) if given.right_box else None,
-        "marked": _runs(given.marked),
-        "ray": None if given.ray is None else _ray(given.ray),
+        "marked": runs(given.marked),
+        "ray": None if given.ray is None else ray_json(given.ray),
     }
 
 
-def _runs(faces: Integers) -> list[int]:
+def runs(faces: Integers) -> list[int]:
     """Write ascending faces as pairs: where a run begins, and how long it is."""
     faces = np.unique(faces)
     starts = np.flatnonzero(np.diff(faces, prepend=-2) != 1)
@@ -190,7 +191,8 @@ def _runs(faces: Integers) -> list[int]:
     return np.stack([faces[starts], lengths], axis=1).ravel().tolist()
 
 
-def _ray(given: ShownRay) -> Json:
+def ray_json(given: ShownRay) -> Json:
+    """Write a ray and its steps."""
     return {
         "origin": _numbers(np.array(given.origin)),
         "direction": _numbers(np.array(given.direction)),

@@ -34,13 +34,18 @@ STYLES = {
     "class": ("base.css", "class.css"),
     "report": ("base.css", "report.css"),
     "similar": ("base.css", "similar.css"),
+    "view": ("base.css", "report.css", "view.css"),
 }
 SCRIPTS = {
     "class": ("base.js", "class.js"),
     "report": ("base.js", "space.js", "walk.js", "report.js"),
     "similar": ("base.js",),
+    "view": ("base.js", "space.js", "walk.js", "view.js"),
 }
 """What stands in each page, in order."""
+
+ASKING = {"view"}
+"""Pages that talk to the program that served them; the others lie on a disk."""
 
 
 def page(
@@ -70,7 +75,7 @@ def page(
             **encoded,
             _=translator(language),
             language=language,
-            policy=policy(style, script),
+            policy=policy(style, script, asks=name in ASKING),
             style=Markup(style),  # noqa: S704 - ours
             script=Markup(script),  # noqa: S704 - ours
         )
@@ -83,13 +88,19 @@ def joined(names: Sequence[str]) -> str:
     return "\n".join(line for line in lines if line and not line.startswith("//"))
 
 
-def policy(style: str, script: str) -> str:
+def policy(style: str, script: str, asks: bool = False) -> str:
     """Write the Content Security Policy of a page: our style, our script, pictures inside it.
+
+    Args:
+        style: All of it.
+        script: All of it.
+        asks: Whether the script may ask the server that the page came from.
 
     Source: W3C, Content Security Policy Level 3, section 2.3.1, hash-source.
     """
+    connects = "connect-src 'self'; " if asks else ""
     return (
-        f"default-src 'none'; style-src '{_hash(style)}'; script-src '{_hash(script)}'; "
+        f"default-src 'none'; {connects}style-src '{_hash(style)}'; script-src '{_hash(script)}'; "
         "img-src data: blob:; base-uri 'none'; form-action 'none'"
     )
 

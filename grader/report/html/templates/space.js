@@ -67,7 +67,8 @@ const edgesOf = (box) => {
   return lines;
 };
 
-const openSpace = (canvas) => {
+// Whoever wants to know from where one looks is told so, whenever that changes.
+const openSpace = (canvas, seen = null) => {
   const gl = canvas.getContext("webgl2", { antialias: true });
   if (!gl) return null;
   const build = (point, colour) => {
@@ -105,6 +106,7 @@ const openSpace = (canvas) => {
   };
   const draw = () => {
     waiting = false;
+    if (seen) seen(view);
     const dense = Math.min(devicePixelRatio || 1, 2);
     // A canvas outside of the page, which makes snapshots, keeps its size.
     if (canvas.clientWidth) {
@@ -169,6 +171,11 @@ const openSpace = (canvas) => {
     redraw();
   };
   const zoom = (factor) => { view.far = Math.max(.05, Math.min(40, view.far * factor)); redraw(); };
+  const pan = (x, y) => {
+    const { right, up } = axes();
+    view.at = view.at.map((p, k) => p + .9 * view.far * (y * up[k] - x * right[k]));
+    redraw();
+  };
   const reset = () => { view = { ...start, at: [...start.at] }; redraw(); };
 
   const held = new Map();
@@ -182,6 +189,7 @@ const openSpace = (canvas) => {
     const other = [...held.values()].find((one) => one.pointerId !== event.pointerId);
     const apart = (one) => Math.hypot(one.clientX - other.clientX, one.clientY - other.clientY) + 1;
     if (other) zoom(apart(last) / apart(event));
+    else if (event.shiftKey) pan((event.clientX - last.clientX) / canvas.clientHeight, (event.clientY - last.clientY) / canvas.clientHeight);
     else turn((last.clientX - event.clientX) * .01, (event.clientY - last.clientY) * .01);
     held.set(event.pointerId, event);
   });

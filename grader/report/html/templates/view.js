@@ -1,0 +1,158 @@
+// The viewer's page: it turns the model here, and asks the program that served it for the rest.
+(() => {
+  const byId = (id) => document.getElementById(id);
+  const { words } = JSON.parse(byId("data").textContent);
+  const filled = (text, values) => text.replace(/\{(\w+)\}/g, (whole, name) => values[name] ?? whole);
+  const stage = byId("stage"), traced = byId("traced"), paper = traced.getContext("2d");
+  const level = byId("level"), only = byId("only"), mode = byId("mode"), scene = byId("scene");
+  const list = byId("steps");
+  let opened = null, state = null, subject = -1, tree = -1, look = null, sent = "", image = -1;
+
+  const ask = async (what, body) => {
+    const answer = await fetch(what, body === undefined ? {} : { method: "POST", body: JSON.stringify(body) });
+    if (!answer.ok) throw new Error(`${what}: ${answer.status}`);
+    return answer;
+  };
+  const wish = (what, values = {}) => ask("do", { what, ...values }).then((answer) => answer.json()).then(take);
+
+  // The camera goes to the program as soon as it has taken the one before.
+  let underway = false;
+  const tell = async () => {
+    if (underway || !look || !opened) return;
+    const dense = Math.min(devicePixelRatio || 1, 2);
+    const size = [traced.clientWidth, traced.clientHeight].map((side) => Math.max(16, Math.round(side * dense)));
+    const now = JSON.stringify({ ...look, size });
+    if (now === sent) return;
+    underway = true;
+    try { await ask("look", { ...look, size }); sent = now; } finally { underway = false; }
+    tell();
+  };
+  const space = openSpace(stage, (view) => { look = { yaw: view.yaw, pitch: view.pitch, far: view.far, at: view.at }; tell(); });
+  byId("flat").hidden = space !== null;
+
+  const show = () => {
+    if (!opened || !state) return;
+    const { node, ray, step } = state;
+    Object.assign(opened.model, { node: node && node.wrong ? node.index : null, expected_box: node ? node.right_box : null, marked: [], ray });
+    const what = display(opened, { level: Number(level.value), only: only.checked, step });
+    if (node && !node.wrong && opened.box(node.index)) what.lines.push({ at: edgesOf(opened.box(node.index)), colour: COLOURS.marked, wide: 3 });
+    byId("level-told").value = level.value < 0 ? "\u2013" : level.value;
+    if (space) space.show(what);
+  };
+
+  const button = (text, action) => {
+    const made = document.createElement("button");
+    made.type = "button";
+    made.textContent = text;
+    made.addEventListener("click", action);
+    return made;
+  };
+  const tellNode = ({ node }) => {
+    byId("facts").textContent = node ? node.told : "";
+    if (node && document.activeElement !== byId("node")) byId("node").value = node.index;
+    byId("family").replaceChildren(...(node ? node.family : []).map(([name, index]) => button(`${name} ${index}`, () => wish("node", { node: index }))));
+    byId("faults").replaceChildren(...(node ? node.faults : []).map((text) => Object.assign(document.createElement("li"), { textContent: text })));
+  };
+  let listed = "";
+  const tellRay = ({ ray, step, lost }) => {
+    if (!ray) { list.replaceChildren(); listed = ""; byId("step-told").value = ""; return; }
+    byId("ray-told").textContent = ray.told;
+    byId("step-told").value = filled(words.step, { step, steps: ray.total });
+    const key = JSON.stringify(ray.steps);
+    if (key !== listed) {
+      listed = key;
+      list.replaceChildren(...ray.steps.map((one, place) => {
+        const item = document.createElement("li");
+        const what = one.node !== null ? filled(words.box, one) : one.face !== null ? filled(words.triangle, one) : words.unknown;
+        item.textContent = `${what}: ${one.hit ? words.hit : words.missed}${place === lost ? ` \u2190 ${words.lost}` : ""}`;
+        if (place === lost) item.className = "lost";
+        item.addEventListener("click", () => wish("step", { step: place + 1 }));
+        return item;
+      }));
+    }
+    [...list.children].forEach((item, place) => {
+      if (place === step - 1) { item.setAttribute("aria-current", "step"); list.scrollTop = item.offsetTop - list.offsetTop - list.clientHeight / 2; }
+      else item.removeAttribute("aria-current");
+    });
+  };
+  const take = async (now) => {
+    state = now;
+    byId("status").textContent = now.status;
+    byId("remark").textContent = now.remark;
+    byId("trouble").textContent = now.trouble;
+    byId("trouble").hidden = !now.trouble;
+    if (document.activeElement !== mode) mode.value = now.mode;
+    if (now.scene && document.activeElement !== scene) scene.value = now.scene;
+    byId("scale").hidden = !now.scale;
+    byId("scale-most").textContent = now.scale ?? "";
+    byId("scale-told").textContent = now.cost;
+    if (now.subject !== subject || now.tree !== tree) {
+      const anew = now.subject !== subject;
+      [subject, tree] = [now.subject, now.tree];
+      const model = await (await ask("model")).json();
+      if (model) {
+        const before = opened && !anew ? { ...look } : model.home;
+        opened = await openModel(model);
+        level.max = Math.max(0, Math.floor(Math.log2(Math.max(1, model.boxes.count))));
+        if (space) space.load(opened.mesh, opened.boxLines, before);
+        else look = before;
+        document.body.dataset.shown = `${subject}.${tree}`;
+      }
+    }
+    tellNode(now);
+    tellRay(now);
+    show();
+    tell();
+  };
+  const paint = async () => {
+    const answer = await ask(`image?after=${image}`);
+    if (answer.status === 204) return;
+    const [width, height, version, share] = ["width", "height", "version", "share"].map((name) => Number(answer.headers.get(`x-${name}`)));
+    const rgb = new Uint8Array(await answer.arrayBuffer()), rgba = new Uint8ClampedArray(4 * width * height);
+    for (let k = 0, n = 0; k < rgba.length; k += 4, n += 3) { rgba[k] = rgb[n]; rgba[k + 1] = rgb[n + 1]; rgba[k + 2] = rgb[n + 2]; rgba[k + 3] = 255; }
+    traced.width = width;
+    traced.height = height;
+    paper.putImageData(new ImageData(rgba, width, height), 0, 0);
+    image = version;
+    traced.dataset.share = share;
+  };
+  // One question after the other; when the program is gone, nobody is asked any more.
+  const again = async (action, pause) => {
+    try { for (;;) { await action(); await new Promise((done) => setTimeout(done, pause)); } }
+    catch { byId("trouble").textContent = words.gone; byId("trouble").hidden = false; }
+  };
+
+  level.addEventListener("input", () => { show(); wish("level", { level: Number(level.value), only: only.checked }); });
+  only.addEventListener("change", () => { show(); wish("level", { level: Number(level.value), only: only.checked }); });
+  mode.addEventListener("change", () => wish("mode", { mode: mode.value }));
+  scene.addEventListener("change", () => wish("scene", { scene: scene.value }));
+  byId("next-node").addEventListener("click", () => wish("next-node"));
+  byId("next-ray").addEventListener("click", () => wish("next-ray"));
+  byId("before").addEventListener("click", () => wish("step", { step: state.step - 1 }));
+  byId("after").addEventListener("click", () => wish("step", { step: state.step + 1 }));
+  byId("node").addEventListener("change", () => wish("node", { node: Number(byId("node").value) }));
+  byId("anew").addEventListener("click", () => space && space.reset());
+  const pixel = (canvas, event) => {
+    const box = canvas.getBoundingClientRect();
+    return [(event.clientX - box.left) / box.width, (event.clientY - box.top) / box.height];
+  };
+  traced.addEventListener("click", (event) => wish("follow", { at: pixel(traced, event) }));
+  let pressed = null;
+  stage.addEventListener("pointerdown", (event) => { pressed = [event.clientX, event.clientY]; });
+  stage.addEventListener("pointerup", (event) => {
+    const moved = pressed ? Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) : 9;
+    if (moved < 3) wish("pick", { at: pixel(stage, event) });
+  });
+  byId("save").addEventListener("click", () => {
+    if (space) space.draw();
+    const both = Object.assign(document.createElement("canvas"), { width: 2 * traced.width + 8, height: traced.height });
+    const drawn = both.getContext("2d");
+    drawn.drawImage(stage, 0, 0, traced.width, traced.height);
+    drawn.drawImage(traced, traced.width + 8, 0);
+    const link = Object.assign(document.createElement("a"), { href: both.toDataURL(), download: "bvhgrade-view.png" });
+    link.click();
+  });
+  new ResizeObserver(tell).observe(traced);
+  again(() => ask("state").then((answer) => answer.json()).then(take), 200);
+  again(paint, 10);
+})();

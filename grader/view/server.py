@@ -1,0 +1,203 @@
+"""The viewer as a page of this machine alone: what `view --web` does.
+
+It listens on the loopback interface. A page of somebody else that runs in the same browser could
+ask it, too: so the address has a secret part, and the header Host must name this machine, which
+a page cannot forge by giving its own name our address.
+"""
+
+import json
+import secrets
+import threading
+from collections.abc import Sequence
+from functools import partial
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from typing import Any
+from urllib.parse import parse_qs, urlsplit
+
+import click
+
+from grader.errors import UsageError
+from grader.language import Words, usual_language
+from grader.report.html.page import page
+from grader.view.desk import Desk, Mode
+from grader.view.service import Service
+from grader.view.study import Study
+
+HERE = "127.0.0.1"
+NAMES = (HERE, "localhost")
+LARGEST = 64 << 10
+"""Bytes of a question."""
+
+
+def served(desk: Desk, study: Study, scenes: Sequence[str], words: Words) -> None:
+    """Serve the page until Ctrl-C.
+
+    Raises:
+        KeyboardInterrupt: At the end.
+    """
+    service = Service(desk, study, words)
+    with Door(service, written(desk, scenes, words)) as door:
+        click.echo(f"{words('Open this address in a browser of this machine; Ctrl-C ends:')}")
+        click.echo(door.address)
+        service.serve()
+
+
+def written(desk: Desk, scenes: Sequence[str], words: Words) -> str:
+    """Write the page."""
+    modes = (
+        (Mode.SHADED, words("your picture")),
+        (Mode.COST, words("cost of each ray")),
+        (Mode.REFERENCE, words("model solution")),
+        (Mode.DIFFERENCE, words("pixels that differ")),
+    )
+    told = {
+        "step": words("step {step} of {steps}"),
+        "box": words("node {node}"),
+        "triangle": words("face {face}"),
+        "unknown": words("something else"),
+        "hit": words("hit"),
+        "missed": words("missed"),
+        "lost": words("lost here"),
+        "gone": words("The program has ended; start it again."),
+    }
+    name = f"bvhgrade view {desk.path.name}"
+    values = {
+        "title": name,
+        "name": name,
+        "scenes": list(scenes),
+        "modes": [(mode.value, title) for mode, title in modes],
+    }
+    return page("view", usual_language(), values, {"data": {"words": told}})
+
+
+class Door:
+    """The server; as a context it is open within the block."""
+
+    def __init__(self, service: Service, text: str) -> None:
+        """Take a free port.
+
+        Args:
+            service: Answers.
+            text: Of the page.
+        """
+        self.token = secrets.token_urlsafe(16)
+        handler = partial(_Handler, service, text, self.token)
+        self._server = ThreadingHTTPServer((HERE, 0), handler)
+        self._server.daemon_threads = True
+        self.port = int(self._server.server_address[1])
+        self._thread = threading.Thread(target=self._server.serve_forever, daemon=True)
+
+    @property
+    def address(self) -> str:
+        """What to open."""
+        return f"http://{HERE}:{self.port}/{self.token}/"
+
+    def __enter__(self) -> "Door":
+        """Open it."""
+        self._thread.start()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """Close it."""
+        self._server.shutdown()
+        self._server.server_close()
+
+
+class _Handler(BaseHTTPRequestHandler):
+    """Answers one connection."""
+
+    protocol_version = "HTTP/1.1"
+    server_version, sys_version = "bvhgrade", ""
+
+    def __init__(self, service: Service, text: str, token: str, *given: Any) -> None:  # noqa: ANN401
+        self._service, self._text, self._token = service, text, token
+        super().__init__(*given)
+
+    def log_message(self, *_: object) -> None:
+        """Say nothing: what is asked for may come from a stranger."""
+
+    def do_GET(self) -> None:  # noqa: N802 - http.server's own
+        """Answer a question that changes nothing."""
+        place = self._place()
+        if place == "":
+            self._send(self._text.encode(), "text/html; charset=utf-8")
+        elif place == "state":
+            self._json(self._service.ask(self._service.state))
+        elif place == "model":
+            self._json(self._service.ask(self._service.model))
+        elif place == "image":
+            self._image()
+        elif place is not None:
+            self._refuse(404)
+
+    def do_POST(self) -> None:  # noqa: N802 - http.server's own
+        """Do what is asked for."""
+        place = self._place()
+        if place is None:
+            return
+        given = self._given()
+        if place not in ("look", "do") or given is None:
+            self._refuse(400)
+            return
+        service = self._service
+        try:
+            self._json(service.ask(lambda: (service.look if place == "look" else service.do)(given)))
+        except UsageError:
+            self._refuse(400)
+
+    def _place(self) -> str | None:
+        """What is asked for, behind the secret part; None if it was refused."""
+        name = (self.headers.get("Host") or "").rpartition(":")[0]
+        if name not in NAMES:
+            self._refuse(403)
+            return None
+        first, _, rest = urlsplit(self.path).path.lstrip("/").partition("/")
+        if not secrets.compare_digest(first.encode(), self._token.encode()):
+            self._refuse(404)
+            return None
+        return rest
+
+    def _given(self) -> dict[str, Any] | None:
+        """The values of a question; None if it is none."""
+        size = self.headers.get("Content-Length") or ""
+        if not size.isdecimal() or int(size) > LARGEST:
+            self.close_connection = True
+            return None
+        try:
+            given = json.loads(self.rfile.read(int(size)))
+        except (ValueError, RecursionError):
+            return None
+        return given if isinstance(given, dict) else None
+
+    def _image(self) -> None:
+        """Send the right pane, if it is another one than the page has."""
+        after = parse_qs(urlsplit(self.path).query).get("after", ["-1"])[0]
+        number = int(after) if after.lstrip("-").isdecimal() else -1
+        found = self._service.ask(lambda: self._service.image(number))
+        if found is None:
+            self._send(b"", "text/plain", 204)
+            return
+        version, shown, share = found
+        height, width = shown.pixels.shape[:2]
+        told = {"width": width, "height": height, "version": version, "share": share}
+        self._send(shown.pixels.tobytes(), "application/octet-stream", 200, told)
+
+    def _json(self, value: object) -> None:
+        self._send(json.dumps(value, allow_nan=False).encode(), "application/json")
+
+    def _refuse(self, status: int) -> None:
+        self._send(b"", "text/plain", status)
+
+    def _send(
+        self, data: bytes, kind: str, status: int = 200, told: dict[str, Any] | None = None
+    ) -> None:
+        self.send_response(status)
+        self.send_header("Content-Type", kind)
+        self.send_header("Content-Length", str(len(data)))
+        self.send_header("Cache-Control", "no-store")
+        self.send_header("X-Content-Type-Options", "nosniff")
+        self.send_header("Referrer-Policy", "no-referrer")
+        for name, value in (told or {}).items():
+            self.send_header(f"X-{name}", str(value))
+        self.end_headers()
+        self.wfile.write(data)

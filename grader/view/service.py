@@ -1,0 +1,315 @@
+"""What a page asks of a desk, and what it is answered: plain values, one question at a time.
+
+A desk is used from one thread. Whoever asks from another one puts the question into a line.
+"""
+
+import queue
+from collections.abc import Callable, Mapping
+from concurrent.futures import Future
+from typing import Any
+
+import numpy as np
+
+from grader.errors import UsageError
+from grader.language import Words
+from grader.model.mesh import Mesh
+from grader.model.views import Model, ShownRay
+from grader.plain import one_line
+from grader.report.views import model_json, ray_json
+from grader.counterexample.shown import boxes
+from grader.gallery.coarse import coarsened
+from grader.verify.check import vector
+from grader.view.camera import Orbit, frame_of
+from grader.view.desk import Desk, Mode
+from grader.view.inspector import MOST_FACES, NodeFacts
+from grader.view.picture import Shown, shown
+from grader.view.status import status
+from grader.view.study import Study
+from grader.view.walking import Walk, deepest_known
+
+Json = dict[str, Any]
+
+FOV = float(2 * np.degrees(np.arctan(1 / 2.2)))
+"""Of the page's camera, whose lens has a focal length of 2.2."""
+
+PAUSE_SECONDS = 0.004
+LARGEST_SIDE = 1024
+MOST_FACES_SENT = 60_000
+FARTHEST = 1e4
+
+
+class Service:
+    """Answers questions about a desk."""
+
+    def __init__(self, desk: Desk, study: Study, words: Words) -> None:
+        """Begin to listen; nothing is answered before `serve`.
+
+        Args:
+            desk: What is shown.
+            study: What is looked at more closely.
+            words: Translates our own texts.
+        """
+        self._desk, self._study, self._words = desk, study, words
+        self._line: queue.Queue[tuple[Callable[[], Any], Future[Any]]] = queue.Queue()
+        self._version = 0
+        self._shown: Shown | None = None
+        self._stale = True
+        self._trees = 0
+        self._tree: object = None
+        self._sent: tuple[Mesh, Mesh] | None = None
+        self.is_over = False
+
+    def ask(self, question: Callable[[], Any]) -> Any:  # noqa: ANN401 - whatever it returns
+        """Have a question answered by the desk's own thread."""
+        answer: Future[Any] = Future()
+        self._line.put((question, answer))
+        return answer.result()
+
+    def serve(self) -> None:
+        """Answer until it is over."""
+        while not self.is_over:
+            self.advance()
+            try:
+                question, answer = self._line.get(timeout=PAUSE_SECONDS)
+            except queue.Empty:
+                continue
+            try:
+                answer.set_result(question())
+            except UsageError as fault:
+                answer.set_exception(fault)
+
+    def advance(self) -> None:
+        """Look how far everything is."""
+        changed = self._desk.advance()
+        if changed | self._study.advance():
+            self._stale = self._stale or changed
+        tree = self._desk.stage.tree if self._desk.stage else None
+        if tree is not self._tree:
+            self._tree, self._trees = tree, self._trees + 1
+
+    def state(self) -> Json:
+        """Say how everything is."""
+        desk, study = self._desk, self._study
+        traced = desk.stage.traced if desk.stage else None
+        cost = ""
+        seen = self._shown
+        if seen is not None and seen.scale and traced is not None:
+            text = self._words("tests a ray; mean {boxes} of boxes, {triangles} of faces")
+            cost = text.format(
+                boxes=f"{traced.box_tests:.1f}", triangles=f"{traced.triangle_tests:.1f}"
+            )
+        return {
+            "status": status(desk, self._words),
+            "trouble": self._trouble(),
+            "remark": one_line(study.remark),
+            "subject": desk.subjects,
+            "tree": self._trees,
+            "scene": desk.subject.name if desk.subject else "",
+            "mode": desk.mode.value,
+            "scale": seen.scale if seen and seen.scale else None,
+            "wrong": seen.wrong if seen else -1,
+            "cost": cost,
+            "node": self._node(study.facts),
+            "ray": self._ray(study.walk),
+            "step": study.step,
+            "lost": deepest_known(study.walk) if study.walk else -1,
+        }
+
+    def model(self) -> Json | None:
+        """Write the mesh and the uppermost boxes, as a report has them."""
+        desk = self._desk
+        subject, stage = desk.subject, desk.stage
+        if subject is None:
+            return None
+        tree = stage.tree if stage else None
+        none = np.zeros((0, 3), np.float32)
+        low, high = boxes(tree) if tree is not None and len(tree.end) else (none, none)
+        mesh = self._light(subject.mesh)
+        nothing = np.zeros(0, np.int64)
+        model = Model(
+            "", subject.title, mesh, len(subject.mesh.faces), low, high, -1, (), nothing, None
+        )
+        return {**model_json(model), "home": self._home(mesh)}
+
+    def image(self, after: int) -> tuple[int, Shown, float] | None:
+        """Return the right pane with its number, if it is another one."""
+        desk = self._desk
+        if self._stale:
+            self._stale = False
+            self._shown, self._version = shown(desk), self._version + 1
+        if self._shown is None or self._version == after:
+            return None
+        share = desk.stage.traced.share if desk.stage else 0.0
+        return self._version, self._shown, share
+
+    def look(self, given: Mapping[str, Any]) -> None:
+        """Move the camera as the page has it.
+
+        Raises:
+            UsageError: A number is none, or out of bounds.
+        """
+        desk = self._desk
+        if desk.subject is None:
+            return
+        yaw, pitch, far = (_number(given, name, FARTHEST) for name in ("yaw", "pitch", "far"))
+        at, size = _numbers(given, "at", 3), _numbers(given, "size", 2)
+        width, height = (int(min(max(side, 16), LARGEST_SIDE)) for side in size)
+        middle, scale = _cube(self._light(desk.subject.mesh))
+        target = np.array(at) / scale + middle
+        orbit = Orbit(
+            target=(float(target[0]), float(target[1]), float(target[2])),
+            up=(0.0, 1.0, 0.0),
+            yaw=yaw,
+            pitch=pitch,
+            distance=max(far, 1e-3) / scale,
+            fov=FOV,
+            size=desk.subject.home.size,
+        )
+        if orbit != desk.orbit or (width, height) != desk.size:
+            desk.size = width, height
+            desk.look(orbit)
+            self._stale = True
+
+    def do(self, given: Mapping[str, Any]) -> Json:
+        """Do what the page asks for, and say how everything is then.
+
+        Raises:
+            UsageError: It is nothing that can be asked for.
+        """
+        desk, study, what = self._desk, self._study, given.get("what")
+        if what in ("next-node", "next-ray"):
+            study.next_node() if what == "next-node" else study.next_ray()
+        elif what == "node":
+            study.select(int(_number(given, "node", 2**31)))
+        elif what == "step":
+            study.walk_to(int(_number(given, "step", 2**31)))
+        elif what in ("pick", "follow"):
+            x, y = _numbers(given, "at", 2)
+            pixel = int(x * desk.size[0]), int(y * desk.size[1])
+            study.pick(_within(pixel, desk.size)) if what == "pick" else study.follow(pixel)
+        elif what == "level":
+            desk.level = int(min(max(_number(given, "level", 64), -1), 20))
+            desk.only = given.get("only") is True
+        elif what == "mode":
+            desk.compare(_mode(given.get("mode")))
+            self._stale = True
+        elif what == "scene":
+            desk.choose_scene(str(given.get("scene")))
+        else:
+            raise UsageError("there is no such wish")
+        return self.state()
+
+    def _trouble(self) -> str:
+        desk = self._desk
+        if desk.fault is not None:
+            return one_line(str(desk.fault))
+        product = desk.product
+        if product is not None and product.engine is None and not desk.is_building:
+            told = [product.refused, *(f"{one.line}: {one.text}" for one in product.diagnostics[:5])]
+            return one_line(" / ".join(filter(None, told)))
+        return one_line(desk.stage.trouble) if desk.stage else ""
+
+    def _node(self, facts: NodeFacts | None) -> Json | None:
+        if facts is None:
+            return None
+        words = self._words
+        few = ", ".join(map(str, facts.faces[:MOST_FACES].tolist()))
+        more = ", ..." if facts.faces.size > MOST_FACES else ""
+        told = words("level {level}, faces [{begin}, {end})").format(
+            level=facts.level, begin=facts.begin, end=facts.end
+        )
+        family = [[words("parent"), facts.parent]] if facts.parent >= 0 else []
+        family += [[words("child"), child] for child in facts.children]
+        known = self._study.judgement is not None
+        good = words("Nothing is wrong with this node.") if known and not facts.faults else ""
+        box = f"min {vector(facts.low)}\nmax {vector(facts.high)}"
+        return {
+            "index": facts.node,
+            "told": f"{told}\n{few}{more}\n{box}\n{good}",
+            "family": family,
+            "faults": [one_line(fault) for fault in facts.faults],
+            "wrong": bool(facts.faults),
+            "right_box": list(facts.right_box) or None,
+        }
+
+    def _ray(self, walk: Walk | None) -> Json | None:
+        if walk is None:
+            return None
+        words = self._words
+        row = [float(value) for value in walk.ray]
+        expected = np.inf if walk.expected is None else walk.expected
+        made = ShownRay(
+            origin=(row[0], row[1], row[2]),
+            direction=(row[3], row[4], row[5]),
+            t_min=row[6],
+            t_max=row[7],
+            expected=expected,
+            got=walk.found,
+            face=-1,
+            lost=walk.lost,
+            sentence=one_line(walk.sentence),
+            steps=walk.steps,
+        )
+        hit = words("hit at t = {t}").format(t=f"{walk.found:.6g}")
+        told = f"{walk.title}: {hit if walk.found < np.inf else words('no hit')}"
+        return {**ray_json(made), "told": f"{told}. {made.sentence}", "total": walk.total}
+
+    def _light(self, mesh: Mesh) -> Mesh:
+        """A mesh that is small enough for a page, made once."""
+        if self._sent is None or self._sent[0] is not mesh:
+            light = self._desk.light
+            small = mesh if light is None else light
+            if len(small.faces) > MOST_FACES_SENT:
+                small, _ = coarsened(mesh, MOST_FACES_SENT)
+            used = np.unique(small.faces)
+            place = np.zeros(len(small.vertices), np.uint32)
+            place[used] = np.arange(len(used), dtype=np.uint32)
+            self._sent = mesh, Mesh(small.vertices[used], place[small.faces])
+        return self._sent[1]
+
+    def _home(self, mesh: Mesh) -> Json:
+        """Where the page's camera begins: where the scene's own does."""
+        orbit = self._desk.subject.home
+        middle, scale = _cube(mesh)
+        back = frame_of(orbit).back
+        return {
+            "yaw": float(np.arctan2(back[0], back[2])),
+            "pitch": float(np.arcsin(np.clip(back[1], -1, 1))),
+            "far": float(np.clip(orbit.distance * scale * orbit.fov / FOV, 0.05, 40)),
+            "at": [float(x) for x in (np.array(orbit.target) - middle) * scale],
+        }
+
+
+def _cube(mesh: Mesh) -> tuple[np.ndarray, float]:
+    """Middle and scale by which the page moves a mesh into a cube of side 2."""
+    points = mesh.vertices.astype(np.float64)
+    if not len(points):
+        return np.zeros(3), 2.0
+    low, high = points.min(axis=0), points.max(axis=0)
+    return (low + high) / 2, 2 / (float((high - low).max()) or 1.0)
+
+
+def _mode(name: object) -> Mode:
+    for mode in Mode:
+        if mode.value == name:
+            return mode
+    raise UsageError("there is no such picture")
+
+
+def _within(pixel: tuple[int, int], size: tuple[int, int]) -> tuple[int, int]:
+    column, row = (min(max(at, 0), most - 1) for at, most in zip(pixel, size, strict=True))
+    return column, row
+
+
+def _number(given: Mapping[str, Any], name: str, most: float) -> float:
+    value = given.get(name)
+    if isinstance(value, bool) or not isinstance(value, int | float) or not abs(value) <= most:
+        raise UsageError(f"{name} must be a number")
+    return float(value)
+
+
+def _numbers(given: Mapping[str, Any], name: str, count: int) -> list[float]:
+    values = given.get(name)
+    if not isinstance(values, list) or len(values) != count:
+        raise UsageError(f"{name} must be {count} numbers")
+    return [_number({name: value}, name, FARTHEST) for value in values]
