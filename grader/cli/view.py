@@ -1,6 +1,7 @@
 """The command `view`: a submission's tree and rays, looked at from any side."""
 
 from pathlib import Path
+from typing import Any
 
 import click
 
@@ -31,16 +32,7 @@ from grader.language import translator, usual_language
 @rubric_option
 @language_option
 @unsafe_option
-def view(
-    submission: Path,
-    scene: str | None,
-    check: str | None,
-    web: bool,
-    screenshot: Path | None,
-    rubric: Path | None,
-    language: str | None,
-    unsafe_no_isolation: bool,
-) -> None:
+def view(submission: Path, web: bool, **given: Any) -> None:  # noqa: ANN401 - click's own
     """Look at a submission's tree and at the picture that it traces.
 
     Needs pip install "bvhgrade[view]", but for --web.
@@ -50,12 +42,13 @@ def view(
     from grader.options import Options
     from grader.view.opening import Wish, opening
 
+    scene, check, screenshot = (given[name] for name in ("scene", "check", "screenshot"))
     if scene and check:
         raise UsageError("--scene and --check both say what to begin with; give one of them")
     if web and screenshot:
         raise UsageError("--web and --screenshot both say where to show it; give one of them")
-    options = Options(SEED, rubric, (), silent, isolated=not unsafe_no_isolation)
-    words = translator(language or usual_language())
-    wish = Wish(submission, options, scene, check, words)
+    isolated = not given["unsafe_no_isolation"]
+    options = Options(SEED, given["rubric"], (), silent, isolated=isolated)
+    words = translator(given["language"] or usual_language())
     with interruptible():
-        opening(wish, web, screenshot)
+        opening(Wish(submission, options, scene, check, words), web, screenshot)

@@ -25,6 +25,7 @@ from grader.sandbox.launch import start_again, stop_everything
 if TYPE_CHECKING:
     from grader.cli.grading import Order
 
+
 @dataclass(frozen=True, slots=True)
 class Watch:
     """What a watch does at every save."""

@@ -1,4 +1,4 @@
-"""Was a submission saved? It does not matter how an editor saves: only what lies there counts."""
+"""Was a submission saved? However an editor does it, only what lies there counts."""
 
 from pathlib import Path
 

@@ -125,6 +125,11 @@ class Live:
         return self.rows_done < self._first_rows + self._asked
 
     @property
+    def is_running(self) -> bool:
+        """Whether anything of it is still there."""
+        return self._thread.is_alive()
+
+    @property
     def construct_seconds(self) -> float:
         """How long `construct` took, as it says."""
         return self.result.number(CONSTRUCT_NS) * 1e-9
@@ -144,7 +149,8 @@ class Live:
         Raises:
             AssertionError: It is still busy with the turn before.
         """
-        assert not self.is_busy
+        if self.is_busy:
+            raise AssertionError("what was asked for before is done, or skipped")
         self._rows.clear()
         self._whole = 0
 

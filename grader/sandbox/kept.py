@@ -184,10 +184,7 @@ class KeptBox:
                     if key.data is None:
                         if (ended := self._heard(case, target)) is not None:
                             return ended
-                    elif key.data is case:
-                        selector.unregister(key.fd)
-                        case.enough = True
-                    elif key.data.drain() == 0:
+                    elif _is_over(key.data):
                         selector.unregister(key.fd)
 
     def _next_look(self, case: _Case) -> float:
@@ -257,6 +254,14 @@ class KeptBox:
             raise Interrupted("the grader was asked to stop")
         said = self._words[-1].kept.decode(errors="replace").strip()[-500:]
         raise NotReached(said or why)
+
+
+def _is_over(source: Stream | _Case) -> bool:
+    """Read a pipe, or take note that a case is to end; whether there is no more to come."""
+    if isinstance(source, Stream):
+        return source.drain() == 0
+    source.enough = True
+    return True
 
 
 def _order(target: Target, box: Box, entry: Path, isolation: Isolation, control: int) -> Order:

@@ -56,9 +56,7 @@ class Orbit:
 
     def zoomed(self, factor: float) -> "Orbit":
         """Go nearer or away."""
-        distance = min(
-            FARTHEST * self.size, max(NEAREST * self.size, self.distance * factor)
-        )
+        distance = min(FARTHEST * self.size, max(NEAREST * self.size, self.distance * factor))
         return replace(self, distance=distance)
 
     def panned(self, right: float, up: float) -> "Orbit":

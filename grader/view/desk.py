@@ -8,15 +8,17 @@ import threading
 from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import ExitStack
+from dataclasses import replace
 from enum import Enum
 from pathlib import Path
 
 from grader.errors import GraderError
 from grader.intake.saved import GLANCE_SECONDS, GONE, state_of
-from grader.model.mesh import Mesh
+from grader.model.mesh import Bvh, Mesh
 from grader.options import Options
 from grader.sandbox.nursery import Nursery
 from grader.sandbox.scratch import scratch_folder
+from grader.solution import Solution
 from grader.view.boxes import deepest_of
 from grader.view.camera import Orbit
 from grader.view.stage import Stage, State
@@ -44,6 +46,15 @@ COMPARING = (Mode.REFERENCE, Mode.DIFFERENCE)
 class Desk:
     """One submission that is looked at; use it as a context, from one thread."""
 
+    subjects = 0
+    """Counts subjects, so that a pane notices another one."""
+
+    size = 512, 512
+    """Of the right pane in pixels."""
+
+    mode = Mode.SHADED
+    level, only = USUAL_LEVEL, False
+
     def __init__(self, path: Path, options: Options, first: Load) -> None:
         """Begin to compile and to load.
 
@@ -57,10 +68,7 @@ class Desk:
         self._nursery = self._held.enter_context(Nursery())
         self._aside = ThreadPoolExecutor(2)
         self._over = threading.Event()
-        self._loading: Future[tuple[Subject, Mesh]] | None = None
-        self._building: Future[Product] | None = None
-        self._built_state = GONE
-        self._saved = GONE
+        self._built_state = self._saved = GONE
         self.product: Product | None = None
         """The last build; None as long as there is none."""
 
@@ -68,25 +76,18 @@ class Desk:
         self.light: Mesh | None = None
         """A coarser mesh of the subject, for while the camera moves."""
 
-        self.subjects = 0
-        """Counts subjects, so that a pane notices another one."""
-
         self.stage: Stage | None = None
         self.rival: Stage | None = None
         """The model solution on the same subject, while it is compared."""
 
         self.orbit: Orbit | None = None
-        self.size = (512, 512)
-        """Of the right pane in pixels."""
-
-        self.mode = Mode.SHADED
-        self.level, self.only = USUAL_LEVEL, False
         self.fault: GraderError | None = None
         """What could not be done, for our own reason or because of what was asked for."""
 
-        self._watching = threading.Thread(target=self._watch, daemon=True)
-        self._watching.start()
-        self.choose(first)
+        threading.Thread(target=self._watch, daemon=True).start()
+        self._loading: Future[tuple[Subject, Mesh]] | None = self._aside.submit(_loaded, first)
+        self._building: Future[Product] | None = None
+        self._growing: Future[Bvh] | None = None
         self.rebuild()
 
     def __enter__(self) -> "Desk":
@@ -139,7 +140,11 @@ class Desk:
             changed = True
         for stage in (self.stage, self.rival):
             changed |= self._advance(stage)
-        return changed
+        return changed | self._substitute()
+
+    def run_again(self) -> None:
+        """Begin anew with the submission, after it ended."""
+        self._restart()
 
     def look(self, orbit: Orbit) -> None:
         """Move the camera."""
@@ -175,6 +180,29 @@ class Desk:
             stage.state = State.ENDED
             return True
         return painted or stage.state is not before
+
+    def _substitute(self) -> bool:
+        """Trace on the model solution's tree where the submission made none."""
+        stage = self.stage
+        if stage is None or not stage.in_construct or stage.subject.tree or stage.subject.check:
+            return False
+        if self._growing is None:
+            mesh = stage.subject.mesh
+            self._growing = self._aside.submit(lambda: Solution().trees([mesh])[0])
+        if not self._growing.done():
+            return False
+        growing, self._growing = self._growing, None
+        try:
+            subject = replace(stage.subject, tree=growing.result())
+        except GraderError as fault:
+            stage.in_construct, self.fault = False, fault
+            return True
+        self._clear()
+        if self.product is not None and self.product.engine is not None:
+            self.stage = Stage(subject, self.product.engine, before=stage.trouble)
+            self.compare(self.mode)
+            self._show()
+        return True
 
     def _show(self) -> None:
         for stage in (self.stage, self.rival):
@@ -221,7 +249,7 @@ class Desk:
         for stage in (self.stage, self.rival):
             if stage is not None:
                 stage.close()
-        self.stage = self.rival = None
+        self.stage = self.rival = self._growing = None
 
     def _watch(self) -> None:
         """Look at the file until the end; what is the same for two looks counts as saved."""

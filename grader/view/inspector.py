@@ -162,7 +162,11 @@ def next_of(nodes: Integers, after: int) -> int:
 
 
 def picked(
-    tree: Bvh, orbit: Orbit, size: tuple[int, int], pixel: tuple[int, int], shown: tuple[int, bool]
+    tree: Bvh,
+    orbit: Orbit,
+    size: tuple[int, int],
+    pixel: tuple[int, int],
+    shown: tuple[int, bool],
 ) -> int:
     """Return the node whose box lies under a pixel; -1 if there is none.
 

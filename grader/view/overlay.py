@@ -82,7 +82,9 @@ def _ray(walk: Walk, size: float) -> Iterator[Stroke]:
     for t, colour, wide in ((walk.expected, RIGHT, 9.0), (walk.found, WRONG, 6.0)):
         if t is not None and np.isfinite(t):
             place = origin + t * direction
-            yield Stroke(np.array([[place, place + 1e-3 * size / length * direction]]), colour, wide)
+            yield Stroke(
+                np.array([[place, place + 1e-3 * size / length * direction]]), colour, wide
+            )
 
 
 def edges(box: tuple[float, ...]) -> Doubles:

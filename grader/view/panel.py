@@ -13,6 +13,7 @@ from grader.verify.check import vector
 from grader.view.desk import Desk, Mode
 from grader.view.inspector import MOST_FACES, NodeFacts
 from grader.view.picture import Shown
+from grader.view.stage import State
 from grader.view.study import Study
 from grader.view.walking import deepest_known
 
@@ -98,6 +99,8 @@ class Panel:
             imgui.push_style_color(imgui.Col_.text, BAD)
             imgui.text_wrapped(one_line(desk.stage.trouble, 300))
             imgui.pop_style_color()
+            if desk.stage.state is State.ENDED and imgui.button(words("Run it again")):
+                desk.run_again()
         for text in (self._study.remark, self.saved):
             if text:
                 imgui.text_wrapped(one_line(text, 300))
@@ -115,9 +118,11 @@ class Panel:
 
     def _facts(self, imgui: ModuleType, facts: NodeFacts) -> None:
         words, study = self._words, self._study
-        imgui.text(words("level {level}, faces [{begin}, {end})").format(
-            level=facts.level, begin=facts.begin, end=facts.end
-        ))
+        imgui.text(
+            words("level {level}, faces [{begin}, {end})").format(
+                level=facts.level, begin=facts.begin, end=facts.end
+            )
+        )
         few = ", ".join(map(str, facts.faces[:MOST_FACES].tolist()))
         more = ", ..." if facts.faces.size > MOST_FACES else ""
         imgui.text_wrapped(f"{few}{more}")

@@ -15,11 +15,14 @@ if TYPE_CHECKING:
 MARK = (255.0, 178.0, 0.0)
 
 _SEEN = "#version 330 core\nuniform mat4 seen;\n"
-_FACE_POINT = _SEEN + """
+_FACE_POINT = (
+    _SEEN
+    + """
 in vec3 place;
 out vec3 world;
 void main() { world = place; gl_Position = seen * vec4(place, 1); }
 """
+)
 _FACE_COLOUR = """#version 330 core
 uniform vec3 light, tint, middle;
 uniform float darkest;
@@ -31,7 +34,9 @@ void main() {
     pixel = vec4(tint * (darkest + (1. - darkest) * bright), 1);
 }
 """
-_BOX_POINT = _SEEN + """
+_BOX_POINT = (
+    _SEEN
+    + """
 in vec3 low, high;
 uniform int first, shown;
 flat out vec3 colour;
@@ -49,12 +54,14 @@ void main() {
     gl_Position.z -= 4e-5 * gl_Position.w;
 }
 """
+)
 _BOX_COLOUR = """#version 330 core
 uniform float alpha;
 flat in vec3 colour;
 out vec4 pixel;
 void main() { pixel = vec4(colour, alpha); }
 """
+
 
 class Preview:
     """One mesh and one tree on the graphics card."""
@@ -180,5 +187,6 @@ class Preview:
         self._meshes.pop(name, None)
         for one in self._held.pop(name, []):
             one.release()
+
 
 __all__ = ["MOST_BOXES", "Preview"]

@@ -59,7 +59,7 @@ def surfaceless() -> "moderngl.Context":
         raise MissingTool(INSTALL) from fault
     try:
         return moderngl.create_context(standalone=True, backend="egl", require=330)
-    except Exception as fault:  # noqa: BLE001 - moderngl raises plain exceptions for everything
+    except Exception as fault:
         message = (
             "this machine has no OpenGL 3.3 without a window (EGL); on Debian or Ubuntu: "
             "sudo apt-get install libegl1 libgl1-mesa-dri. bvhgrade view --web needs none"
@@ -93,9 +93,7 @@ def _is_done(desk: Desk, study: Study) -> bool:
         stages.append(desk.rival)
     ended = desk.stage.state is State.ENDED
     still = study.is_busy and not ended
-    return not still and all(
-        one.state is State.ENDED or one.traced.is_done for one in stages
-    )
+    return not still and all(one.state is State.ENDED or one.traced.is_done for one in stages)
 
 
 def panes(desk: Desk, study: Study, preview: Preview) -> Bytes:

@@ -1,8 +1,8 @@
 """The viewer as a page of this machine alone: what `view --web` does.
 
-It listens on the loopback interface. A page of somebody else that runs in the same browser could
-ask it, too: so the address has a secret part, and the header Host must name this machine, which
-a page cannot forge by giving its own name our address.
+It listens on the loopback interface. Somebody else's page in the same browser could ask it as
+well: so the address has a secret part, and the header Host must name this machine, which a page
+cannot forge by giving its own name our address.
 """
 
 import json
@@ -116,7 +116,7 @@ class _Handler(BaseHTTPRequestHandler):
     def log_message(self, *_: object) -> None:
         """Say nothing: what is asked for may come from a stranger."""
 
-    def do_GET(self) -> None:  # noqa: N802 - http.server's own
+    def do_GET(self) -> None:
         """Answer a question that changes nothing."""
         place = self._place()
         if place == "":
@@ -130,7 +130,7 @@ class _Handler(BaseHTTPRequestHandler):
         elif place is not None:
             self._refuse(404)
 
-    def do_POST(self) -> None:  # noqa: N802 - http.server's own
+    def do_POST(self) -> None:
         """Do what is asked for."""
         place = self._place()
         if place is None:
@@ -141,7 +141,9 @@ class _Handler(BaseHTTPRequestHandler):
             return
         service = self._service
         try:
-            self._json(service.ask(lambda: (service.look if place == "look" else service.do)(given)))
+            self._json(
+                service.ask(lambda: (service.look if place == "look" else service.do)(given))
+            )
         except UsageError:
             self._refuse(400)
 

@@ -10,14 +10,14 @@ from typing import Any
 
 import numpy as np
 
+from grader.counterexample.shown import boxes
 from grader.errors import UsageError
+from grader.gallery.coarse import coarsened
 from grader.language import Words
 from grader.model.mesh import Mesh
 from grader.model.views import Model, ShownRay
 from grader.plain import one_line
 from grader.report.views import model_json, ray_json
-from grader.counterexample.shown import boxes
-from grader.gallery.coarse import coarsened
 from grader.verify.check import vector
 from grader.view.camera import Orbit, frame_of
 from grader.view.desk import Desk, Mode
@@ -205,7 +205,10 @@ class Service:
             return one_line(str(desk.fault))
         product = desk.product
         if product is not None and product.engine is None and not desk.is_building:
-            told = [product.refused, *(f"{one.line}: {one.text}" for one in product.diagnostics[:5])]
+            told = [
+                product.refused,
+                *(f"{one.line}: {one.text}" for one in product.diagnostics[:5]),
+            ]
             return one_line(" / ".join(filter(None, told)))
         return one_line(desk.stage.trouble) if desk.stage else ""
 

@@ -1,8 +1,8 @@
 """A subject, the process that made a tree of it and traces it, and how both are doing."""
 
+import time
 from enum import Enum
 
-from grader.errors import GraderError
 from grader.model.mesh import Bvh
 from grader.model.stages import Stop
 from grader.run.job import Job
@@ -13,8 +13,6 @@ from grader.run.transfer import give_mesh, give_tree, read_tree
 from grader.view.camera import Orbit
 from grader.view.subject import Subject
 from grader.view.traced import Traced
-
-import time
 
 CONSTRUCT_PATIENCE = 30.0
 """Seconds that making a tree may take."""
@@ -36,14 +34,20 @@ class State(Enum):
 class Stage:
     """One subject on one library."""
 
-    def __init__(self, subject: Subject, engine: Engine) -> None:
-        """Start the process."""
+    def __init__(self, subject: Subject, engine: Engine, before: str = "") -> None:
+        """Start the process.
+
+        Args:
+            subject: What is looked at.
+            engine: The library.
+            before: What the submission did before, so that a tree of ours is needed.
+        """
         self.subject = subject
         self.state = State.CONSTRUCTING
         self.tree: Bvh | None = subject.tree
         """The tree that rays are traced on; None as long as it is not there."""
 
-        self.trouble = ""
+        self.trouble = before
         """What the submission did, if it ended; no message of ours is in it."""
 
         self.in_construct = False
@@ -108,6 +112,8 @@ class Stage:
 
     def _note_end(self) -> None:
         ending = self.live.ending
+        if ending is None:
+            return
         self.in_construct = self.state is State.CONSTRUCTING
         self.state = State.ENDED
         what = ending.detail
@@ -118,5 +124,3 @@ class Stage:
             return
         column, row = self.traced.now()
         self.trouble = f"intersect, pixel ({column}, {row}): {what}"
-
-

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from grader.model.mesh import Bvh, Floats
+from grader.model.mesh import Bvh
 from grader.model.trials import Trial
 from grader.run.transfer import ray_table
 from grader.view.camera import rays_of
@@ -15,19 +15,15 @@ from grader.view.overlay import Stroke, of_node, of_walk
 from grader.view.picture import wrong_pixels
 from grader.view.shades import differing
 from grader.view.stage import Stage, State
-from grader.view.walking import Walk, deepest_known, walk_of
+from grader.view.walking import Followed, Walk, deepest_known, walk_of
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True)
 class _Asked:
     """A ray whose way was asked for."""
 
     row: int
-    ray: Floats
-    title: str
-    index: int
-    """Of the ray in the counterexample; -1 if it is a pixel's."""
-
+    of: Followed
     failing: bool
     """Whether to go on to the next one if this one is right."""
 
@@ -120,7 +116,7 @@ class Study:
         row = min(max(pixel[1], 0), height - 1)
         ray = rays_of(desk.orbit, width, height, np.array([row * width + column]))[0]
         self.pixel = column, row
-        self._ask(ray, f"pixel ({column}, {row})", -1, failing=False)
+        self._ask(Followed(ray, f"pixel ({column}, {row})"), failing=False)
 
     def next_ray(self) -> None:
         """Follow the next ray whose result is wrong."""
@@ -216,28 +212,25 @@ class Study:
             self.remark = "no further ray is wrong"
             return
         self._index, self.pixel = index, (-1, -1)
-        self._ask(table[index], f"ray {index}", index, failing)
+        self._ask(Followed(table[index], f"ray {index}", self._trial, index), failing)
 
-    def _ask(self, ray: Floats, title: str, index: int, failing: bool) -> None:
+    def _ask(self, of: Followed, failing: bool) -> None:
         stage = self._stage
         if stage is None or stage.state is not State.TRACING:
             return
-        self._asked = _Asked(stage.live.record(ray), ray, title, index, failing)
+        self._asked = _Asked(stage.live.record(of.ray), of, failing)
 
     def _take_walk(self, stage: Stage) -> bool:
         asked = self._asked
         if asked is None or stage.tree is None or stage.live.rows_done <= asked.row:
             return False
         self._asked = None
-        trial = self._trial if asked.index >= 0 else None
-        mesh = stage.subject.mesh
-        walk = walk_of(
-            mesh, stage.tree, stage.live.walk(), asked.ray, asked.title, trial, asked.index
-        )
-        last = stage.subject.rays is None or asked.index + 1 >= len(stage.subject.rays.t_min)
-        if asked.failing and not _is_wrong(walk) and not last:
-            self._follow_given(asked.index + 1, failing=True)
-            return False
+        walk = walk_of(stage.subject.mesh, stage.tree, stage.live.walk(), asked.of)
+        rays = stage.subject.rays
+        if asked.failing and rays is not None and not _is_wrong(walk):
+            self._follow_given(asked.of.index + 1, failing=True)
+            if self._asked is not None:
+                return False
         self.walk = walk
         self.walk_to(deepest_known(walk) + 1)
         if walk.lost >= 0:

@@ -1,6 +1,6 @@
 """What can be looked at: scenes, meshes from files, and the inputs that fail a check."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -8,7 +8,7 @@ import numpy as np
 from grader.errors import UsageError
 from grader.model.mesh import Bvh, FrozenArrays, Mesh, Rays
 from grader.model.scene import Scene
-from grader.model.trials import ConstructTrial, RebuildTrial, RepeatTrial, Trial
+from grader.model.trials import ConstructTrial, RebuildTrial, Trial
 from grader.view.camera import Orbit, orbit_around, orbit_of
 
 ALBEDO = (0.75, 0.72, 0.64)
@@ -66,15 +66,13 @@ def of_trial(check: str, trial: Trial) -> Subject:
         check: Id of the check that fails.
         trial: Its input.
     """
-    name = check
-    if isinstance(trial, ConstructTrial):
-        return _small(name, trial.mesh, trial, None, (), None)
     if isinstance(trial, RebuildTrial):
-        before = (trial.first, trial.second)
-        return _small(name, trial.first, trial, None, before, None)
-    if isinstance(trial, RepeatTrial):
-        return _small(name, trial.mesh, trial, trial.tree, (), trial.rays)
-    return _small(name, trial.mesh, trial, trial.tree, (), trial.rays)
+        asked = _asked(check, trial, trial.first)
+        return replace(asked, before=(trial.first, trial.second))
+    asked = _asked(check, trial, trial.mesh)
+    if isinstance(trial, ConstructTrial):
+        return asked
+    return replace(asked, tree=trial.tree, rays=trial.rays)
 
 
 def of_file(path: Path) -> Subject:
@@ -115,22 +113,5 @@ def around(mesh: Mesh) -> Orbit:
     return orbit_around(points.min(axis=0), points.max(axis=0))
 
 
-def _small(
-    check: str,
-    mesh: Mesh,
-    trial: Trial,
-    tree: Bvh | None,
-    before: tuple[Mesh, ...],
-    rays: Rays | None,
-) -> Subject:
-    return Subject(
-        name=check,
-        title=check,
-        mesh=mesh,
-        home=around(mesh),
-        tree=tree,
-        before=before,
-        rays=rays,
-        trial=trial,
-        check=check,
-    )
+def _asked(check: str, trial: Trial, mesh: Mesh) -> Subject:
+    return Subject(check, check, mesh, around(mesh), trial=trial, check=check)

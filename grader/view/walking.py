@@ -4,17 +4,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from grader.counterexample.explain import Explanation, Setting
 from grader.counterexample.describe import explanation
+from grader.counterexample.explain import Explanation, Setting
 from grader.counterexample.shown import steps_of
 from grader.model.mesh import Bvh, Floats, FrozenArrays, Mesh
 from grader.model.path import Path
 from grader.model.trials import AlteredTrial, ImageTrial, TraceTrial, Trial
 from grader.model.views import Step
 from grader.verify.closest import closest_sure
-
-NEAR = 1e-3
-"""Two hits are told apart from here on, relative to the larger one."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -42,32 +39,51 @@ class Walk(FrozenArrays):
     lost: int
     """Node at which the hit was lost; -1 if there is none."""
 
-    title: str = ""
+    title: str
     """Which ray it is."""
 
 
-def walk_of(
-    mesh: Mesh, tree: Bvh, path: Path, ray: Floats, title: str, trial: Trial | None, index: int
-) -> Walk:
+@dataclass(frozen=True, slots=True, eq=False)
+class Followed(FrozenArrays):
+    """A ray whose way is asked for."""
+
+    ray: Floats
+    """(8,) float32."""
+
+    title: str
+    """Which ray it is."""
+
+    trial: Trial | None = None
+    """What is asked of it, if it is one of a counterexample."""
+
+    index: int = -1
+    """Of the ray in the trial."""
+
+
+def walk_of(mesh: Mesh, tree: Bvh, path: Path, of: Followed) -> Walk:
     """Describe a recorded path.
 
     Args:
         mesh: The mesh.
         tree: The tree that was walked.
         path: What was recorded.
-        ray: (8,) float32.
-        title: Which ray it is.
-        trial: What is asked of the ray, if it is one of a counterexample.
-        index: Of the ray in the trial.
+        of: Which ray it is of.
     """
     setting = Setting(mesh, tree, path)
     told, expected = Explanation(""), None
-    if isinstance(trial, TraceTrial | AlteredTrial | ImageTrial):
+    if isinstance(of.trial, TraceTrial | AlteredTrial | ImageTrial):
         with np.errstate(all="ignore"):
-            told = explanation(setting, trial, index)
-        expected = expected_of(trial, index)
+            told = explanation(setting, of.trial, of.index)
+        expected = expected_of(of.trial, of.index)
     return Walk(
-        ray, tuple(steps_of(setting)), path.total, path.found, expected, told.text, told.node, title
+        ray=of.ray,
+        steps=tuple(steps_of(setting)),
+        total=path.total,
+        found=path.found,
+        expected=expected,
+        sentence=told.text,
+        lost=told.node,
+        title=of.title,
     )
 
 

@@ -227,7 +227,7 @@ class Window:
         for stroke in self.study.strokes():
             flat = projected(stroke, self.desk.orbit, *size)
             colour = colour_of(imgui, flat.colour)
-            for one, other in (flat.lines + (corner.x, corner.y)).tolist():
+            for one, other in (flat.lines + np.array([corner.x, corner.y])).tolist():
                 drawn.add_line(tuple(one), tuple(other), colour, flat.width)
         drawn.pop_clip_rect()
 

@@ -89,7 +89,7 @@ def joined(names: Sequence[str]) -> str:
 
 
 def policy(style: str, script: str, asks: bool = False) -> str:
-    """Write the Content Security Policy of a page: our style, our script, pictures inside it.
+    """Write a page's Content Security Policy: our style, our script, pictures inside it.
 
     Args:
         style: All of it.
@@ -100,8 +100,8 @@ def policy(style: str, script: str, asks: bool = False) -> str:
     """
     connects = "connect-src 'self'; " if asks else ""
     return (
-        f"default-src 'none'; {connects}style-src '{_hash(style)}'; script-src '{_hash(script)}'; "
-        "img-src data: blob:; base-uri 'none'; form-action 'none'"
+        f"default-src 'none'; style-src '{_hash(style)}'; script-src '{_hash(script)}'; "
+        f"{connects}img-src data: blob:; base-uri 'none'; form-action 'none'"
     )
 
 

@@ -1,0 +1,132 @@
+"""Whatever a submission does, the stage stays and says what happened."""
+
+import numpy as np
+import pytest
+
+from grader.model.mesh import Mesh
+from grader.run.session import Engine
+from grader.view import traced as traced_module
+from grader.view.shades import differing
+from grader.view.stage import State
+from grader.view.traced import levels_of, mask_of
+from tests.verify.builder import build
+from tests.view import sources
+from tests.view.conftest import Compiled, Staged
+from tests.view.shown import confetti, finished, of_mesh, until
+
+SIDE = 48
+
+
+def test_a_picture_is_traced_from_coarse_to_fine(right: Engine, staged: Staged) -> None:
+    """Every pixel has its own ray in the end; the tree is there, and costs are counted."""
+    subject = confetti()
+    stage = staged(subject, right)
+    stage.show(subject.home, SIDE, SIDE)
+    seen: list[int] = []
+
+    def look() -> None:
+        stage.advance()
+        seen.append(stage.traced.block)
+
+    until(lambda: stage.traced.is_done, look)
+    traced = stage.traced
+    assert seen == sorted(seen, reverse=True)
+    assert traced.seen.all()
+    assert traced.fine.all()
+    assert mask_of(traced.hits).any()
+    assert traced.tests[mask_of(traced.hits)].min() > 0
+    assert traced.box_tests > 0
+    assert stage.tree is not None
+    assert (stage.tree.end == build(subject.mesh).end[: len(stage.tree.end)]).all()
+
+
+@pytest.mark.parametrize("size", [(1, 1), (17, 3), (33, 65)])
+def test_every_pixel_is_painted(right: Engine, staged: Staged, size: tuple[int, int]) -> None:
+    """Also where a picture ends within a block."""
+    subject = confetti()
+    stage = staged(subject, right)
+    stage.show(subject.home, *size)
+    finished(stage)
+    assert stage.traced.hits.shape == (size[1], size[0], 7)
+    assert stage.traced.fine.all()
+    assert levels_of(*size)[-1].rows == size[1]
+
+
+def test_another_view_takes_the_place_of_the_first(right: Engine, staged: Staged) -> None:
+    """The picture is the one of the last camera, as if there had been no other."""
+    subject = confetti()
+    stage, fresh = staged(subject, right), staged(subject, right)
+    for turn in range(5):
+        stage.show(subject.home.turned(0.1 * turn, 0), SIDE, SIDE)
+        stage.advance()
+    last = subject.home.turned(0.4, 0)
+    fresh.show(last, SIDE, SIDE)
+    finished(stage)
+    finished(fresh)
+    assert stage.traced.orbit == last
+    assert not differing(stage.traced.hits[..., 3], fresh.traced.hits[..., 3]).any()
+
+
+@pytest.mark.parametrize(
+    ("source", "told"),
+    [
+        (sources.CRASHES_AT_THE_RIGHT, "SIGSEGV"),
+        (sources.LEAVES, "ended itself"),
+    ],
+)
+def test_the_end_of_a_process_names_its_pixel(
+    compiled: Compiled, staged: Staged, source: str, told: str
+) -> None:
+    """The pixel that is named is one whose ray ends the process; those before are kept."""
+    subject = confetti()
+    stage = staged(subject, compiled(source))
+    stage.show(subject.home, SIDE, SIDE)
+    finished(stage)
+    assert stage.state is State.ENDED
+    assert told in stage.trouble
+    column, row = stage.traced.now()
+    assert f"({column}, {row})" in stage.trouble
+    assert not stage.advance()
+
+
+def test_an_exception_is_told(compiled: Compiled, staged: Staged) -> None:
+    """It ends the picture, and names itself as far as it can."""
+    subject = confetti()
+    stage = staged(subject, compiled(sources.THROWS))
+    stage.show(subject.home, SIDE, SIDE)
+    finished(stage)
+    assert "threw an exception" in stage.trouble
+
+
+def test_a_hang_is_stopped(
+    compiled: Compiled, staged: Staged, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The process is ended, and the pixel is named."""
+    monkeypatch.setattr(traced_module, "PATIENCE", 0.5)
+    subject = confetti()
+    stage = staged(subject, compiled(sources.HANGS_AT_THE_RIGHT))
+    stage.show(subject.home, SIDE, SIDE)
+    finished(stage)
+    assert "did not come back" in stage.trouble
+    assert stage.trouble.startswith("intersect, pixel (")
+    assert not stage.live.is_running
+
+
+def test_a_crash_in_construct_is_told(compiled: Compiled, staged: Staged) -> None:
+    """There is no tree then."""
+    stage = staged(confetti(), compiled(sources.CRASHES_IN_CONSTRUCT))
+    until(lambda: stage.state is State.ENDED, stage.advance)
+    assert stage.in_construct
+    assert stage.tree is None
+    assert stage.trouble.startswith("construct: ")
+
+
+def test_an_empty_mesh_is_no_picture_and_no_fault(right: Engine, staged: Staged) -> None:
+    """Nothing is hit."""
+    empty = Mesh(np.zeros((0, 3), np.float32), np.zeros((0, 3), np.uint32))
+    subject = of_mesh(empty)
+    stage = staged(subject, right)
+    stage.show(subject.home, 8, 8)
+    finished(stage)
+    assert not stage.trouble
+    assert not mask_of(stage.traced.hits).any()
