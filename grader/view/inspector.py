@@ -81,7 +81,7 @@ def judgement(mesh: Mesh, tree: Bvh) -> Judgement:
     """Judge every node that is in reach of the root."""
     example = unreadable(mesh, tree)
     if example is not None or not len(tree.end):
-        text = example.text if example is not None else ""
+        text = example.message if example is not None else ""
         return Judgement(text, *[NOTHING] * 6)
     form, found = shape(tree), splits(mesh, tree)
     held = tree.end.astype(np.int64) - tree.begin

@@ -33,7 +33,7 @@ class Shown:
 def shown(desk: Desk) -> Shown | None:
     """Make the picture of a desk; None if nothing is traced yet."""
     stage = desk.rival if desk.mode is Mode.REFERENCE else desk.stage
-    if stage is None or stage.traced.orbit is None or not stage.traced.seen.any():
+    if stage is None or not stage.traced.seen.any():
         return None
     traced = stage.traced
     if desk.mode is Mode.COST:
@@ -65,7 +65,8 @@ def wrong_pixels(desk: Desk) -> np.ndarray | None:
 
 def _shaded(stage: Stage) -> Bytes:
     traced, albedo = stage.traced, stage.subject.albedo
-    flat = shaded(traced.hits.reshape(-1, 7), frame_of(traced.orbit), albedo)
+    frame = frame_of(traced.orbit or stage.subject.home)
+    flat = shaded(traced.hits.reshape(-1, 7), frame, albedo)
     return flat.reshape(traced.height, traced.width, 3)
 
 

@@ -1,18 +1,17 @@
-"""The left pane, drawn by OpenGL 3.3 into a texture: a mesh, marked faces and boxes."""
+"""The left pane, drawn by OpenGL 3.3 into a texture: a mesh and boxes."""
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from grader.model.mesh import Bvh, Bytes, Doubles, Integers, Mesh
-from grader.view.boxes import MOST_BOXES, corners_of, count_of
+from grader.model.mesh import Bvh, Bytes, Mesh
+from grader.view.boxes import corners_of, count_of
 from grader.view.camera import Orbit, frame_of, projection
 from grader.view.shades import BACKGROUND, DARKEST, light_of, tint
 
 if TYPE_CHECKING:
     import moderngl
-
-MARK = (255.0, 178.0, 0.0)
 
 _SEEN = "#version 330 core\nuniform mat4 seen;\n"
 _FACE_POINT = (
@@ -24,7 +23,7 @@ void main() { world = place; gl_Position = seen * vec4(place, 1); }
 """
 )
 _FACE_COLOUR = """#version 330 core
-uniform vec3 light, tint, middle;
+uniform vec3 light, tint;
 uniform float darkest;
 in vec3 world;
 out vec4 pixel;
@@ -38,7 +37,7 @@ _BOX_POINT = (
     _SEEN
     + """
 in vec3 low, high;
-uniform int first, shown;
+uniform int first;
 flat out vec3 colour;
 const int CORNER[24] = int[24](0,1,2,3,4,5,6,7, 0,2,1,3,4,6,5,7, 0,4,1,5,2,6,3,7);
 vec3 hue(float h) {
@@ -56,15 +55,26 @@ void main() {
 """
 )
 _BOX_COLOUR = """#version 330 core
-uniform float alpha;
 flat in vec3 colour;
 out vec4 pixel;
-void main() { pixel = vec4(colour, alpha); }
+void main() { pixel = vec4(colour, 1); }
 """
+
+
+@dataclass(frozen=True, slots=True)
+class _Sheet:
+    """What is drawn on."""
+
+    texture: "moderngl.Texture"
+    depth: "moderngl.Renderbuffer"
+    frame: "moderngl.Framebuffer"
 
 
 class Preview:
     """One mesh and one tree on the graphics card."""
+
+    tint = tint((0.75, 0.72, 0.64))
+    """(3,) float32, 0 to 255, the colour of the mesh."""
 
     def __init__(self, context: "moderngl.Context") -> None:
         """Prepare to draw.
@@ -79,13 +89,16 @@ class Preview:
         self._meshes: dict[str, moderngl.VertexArray] = {}
         self._tree: moderngl.VertexArray | None = None
         self._nodes = 0
-        self._frame: moderngl.Framebuffer | None = None
-        self.texture: moderngl.Texture | None = None
+        self._sheet: _Sheet | None = None
+
+    @property
+    def texture(self) -> "moderngl.Texture | None":
         """What was drawn; None at first."""
+        return self._sheet.texture if self._sheet else None
 
     def load(self, name: str, mesh: Mesh) -> None:
-        """Take a mesh: `whole`, `moving` (while the camera moves) or `marked`."""
-        self._drop(name)
+        """Take a mesh: `whole`, or `moving` for while the camera moves."""
+        self.unload(name)
         if not len(mesh.faces):
             return
         points = self._gl.buffer(np.ascontiguousarray(mesh.vertices, np.float32))
@@ -98,11 +111,13 @@ class Preview:
 
     def unload(self, name: str) -> None:
         """Forget a mesh."""
-        self._drop(name)
+        self._meshes.pop(name, None)
+        for one in self._held.pop(name, []):
+            one.release()
 
     def load_tree(self, tree: Bvh | None) -> None:
-        """Take the boxes of a tree; whatever stands in it, nothing is drawn outside of it."""
-        self._drop("tree")
+        """Take the boxes of a tree; what stands in it decides about nothing but where lines go."""
+        self.unload("tree")
         self._tree, self._nodes = None, 0
         if tree is None or not len(tree.end):
             return
@@ -111,10 +126,6 @@ class Preview:
         self._tree = self._gl.vertex_array(self._boxes, [(held, "3f 3f/i", "low", "high")])
         self._nodes = len(corners)
         self._held["tree"] = [self._tree, held]
-
-    def mark(self, mesh: Mesh, faces: Integers) -> None:
-        """Mark faces of a mesh."""
-        self.load("marked", Mesh(mesh.vertices, mesh.faces[faces]))
 
     def draw(
         self, orbit: Orbit, size: tuple[int, int], level: int, only: bool, moving: bool
@@ -128,65 +139,47 @@ class Preview:
             only: Whether only those of this level are shown.
             moving: Whether the coarser mesh will do.
         """
-        self._fit(size)
-        gl, frame = self._gl, self._frame
+        frame, gl = self._fitted(size).frame, self._gl
         frame.use()
         gl.viewport = (0, 0, *size)
-        frame.clear(*(value / 255 for value in BACKGROUND), 1.0, depth=1.0)
+        red, green, blue = (value / 255 for value in BACKGROUND)
+        gl.clear(red, green, blue, 1.0, depth=1.0)
         gl.enable_only(gl.DEPTH_TEST)
         gl.depth_func = "<="
-        seen = projection(orbit, *size).T.tobytes()
-        self._faces["seen"].write(seen)
-        self._faces["light"].value = tuple(light_of(frame_of(orbit)))
-        self._faces["darkest"].value = DARKEST
+        seen = tuple(projection(orbit, *size).T.ravel().tolist())
         coarse = "moving" if moving and "moving" in self._meshes else "whole"
-        self._draw_mesh(coarse, self.tint)
-        if not moving:
-            gl.depth_func = "<="
-            self._draw_mesh("marked", np.array(MARK))
-        first, count = count_of(self._nodes, level, only)
-        if self._tree is not None and count:
-            self._draw_boxes(seen, first, count)
-
-    tint = tint((0.75, 0.72, 0.64))
-    """(3,) float32, 0 to 255, the colour of the mesh."""
-
-    def _draw_mesh(self, name: str, colour: Doubles) -> None:
-        if name in self._meshes:
-            self._faces["tint"].value = tuple(float(value) / 255 for value in colour)
-            self._meshes[name].render()
-
-    def _draw_boxes(self, seen: bytes, first: int, count: int) -> None:
-        gl, boxes = self._gl, self._boxes
-        boxes["seen"].write(seen)
-        boxes["first"].value = first
-        gl.enable(gl.BLEND)
-        gl.blend_func = gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA
-        boxes["alpha"].value = 1.0
-        self._tree.render(gl.LINES, vertices=24, instances=count)
-        gl.disable(gl.BLEND)
+        if coarse in self._meshes:
+            self._faces["seen"] = seen
+            self._faces["light"] = tuple(light_of(frame_of(orbit)).tolist())
+            self._faces["darkest"] = DARKEST
+            self._faces["tint"] = tuple((self.tint / 255).tolist())
+            self._meshes[coarse].render()
+        first, past = count_of(self._nodes, level, only)
+        if self._tree is not None and past:
+            self._boxes["seen"] = seen
+            self._boxes["first"] = first
+            self._tree.render(gl.LINES, vertices=24, instances=past)
 
     def pixels(self) -> Bytes:
-        """Return (H, W, 3) uint8 what was drawn last, from the top row on."""
-        width, height = self.texture.size
-        data = np.frombuffer(self._frame.read(components=3, alignment=1), np.uint8)
+        """Return (H, W, 3) uint8 what was drawn last, from the top row on.
+
+        Raises:
+            AssertionError: Nothing was drawn yet.
+        """
+        if self._sheet is None:
+            raise AssertionError("something was drawn")
+        width, height = self._sheet.texture.size
+        data = np.frombuffer(self._sheet.frame.read(components=3, alignment=1), np.uint8)
         return data.reshape(height, width, 3)[::-1].copy()
 
-    def _fit(self, size: tuple[int, int]) -> None:
-        if self.texture is not None and self.texture.size == size:
-            return
-        if self._frame is not None:
-            self._frame.release()
-            self.texture.release()
-            self._depth.release()
-        self.texture = self._gl.texture(size, 4)
-        self._depth = self._gl.depth_renderbuffer(size)
-        self._frame = self._gl.framebuffer([self.texture], self._depth)
-
-    def _drop(self, name: str) -> None:
-        self._meshes.pop(name, None)
-        for one in self._held.pop(name, []):
-            one.release()
-
-
-__all__ = ["MOST_BOXES", "Preview"]
+    def _fitted(self, size: tuple[int, int]) -> _Sheet:
+        """Return something of this size to draw on."""
+        old = self._sheet
+        if old is not None and old.texture.size == size:
+            return old
+        if old is not None:
+            for one in (old.frame, old.texture, old.depth):
+                one.release()
+        texture, depth = self._gl.texture(size, 4), self._gl.depth_renderbuffer(size)
+        self._sheet = _Sheet(texture, depth, self._gl.framebuffer([texture], depth))
+        return self._sheet

@@ -3,7 +3,7 @@
 import time
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 SIZE = (640, 640)
 """Of one pane."""
 
+EGL: dict[str, Any] = {"backend": "egl"}
 GAP = 8
 EMPTY = 40
 """Brightness of a pane without a picture."""
@@ -58,7 +59,7 @@ def surfaceless() -> "moderngl.Context":
     except ImportError as fault:
         raise MissingTool(INSTALL) from fault
     try:
-        return moderngl.create_context(standalone=True, backend="egl", require=330)
+        return moderngl.create_context(require=330, standalone=True, **EGL)
     except Exception as fault:
         message = (
             "this machine has no OpenGL 3.3 without a window (EGL); on Debian or Ubuntu: "

@@ -129,7 +129,7 @@ class Service:
         model = Model(
             "", subject.title, mesh, len(subject.mesh.faces), low, high, -1, (), nothing, None
         )
-        return {**model_json(model), "home": self._home(mesh)}
+        return {**model_json(model), "home": self._home(subject.home, mesh)}
 
     def image(self, after: int) -> tuple[int, Shown, float] | None:
         """Return the right pane with its number, if it is another one."""
@@ -270,9 +270,8 @@ class Service:
             self._sent = mesh, Mesh(small.vertices[used], place[small.faces])
         return self._sent[1]
 
-    def _home(self, mesh: Mesh) -> Json:
+    def _home(self, orbit: Orbit, mesh: Mesh) -> Json:
         """Where the page's camera begins: where the scene's own does."""
-        orbit = self._desk.subject.home
         middle, scale = _cube(mesh)
         back = frame_of(orbit).back
         return {

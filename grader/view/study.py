@@ -152,7 +152,8 @@ class Study:
         stage = self._stage
         if stage is None or stage.tree is None:
             return []
-        found, mesh = [], stage.subject.mesh
+        found: list[Stroke] = []
+        mesh = stage.subject.mesh
         if self.facts is not None:
             found += of_node(mesh, self.facts)
         if self.walk is not None:
@@ -201,18 +202,19 @@ class Study:
         self.next_node()
         return True
 
-    def _follow_given(self, index: int, failing: bool) -> None:
-        """Follow a ray of the counterexample, or the next one that is wrong."""
+    def _follow_given(self, index: int, failing: bool) -> bool:
+        """Follow a ray of the counterexample, or the next one that is wrong; if there is one."""
         stage = self._stage
         if stage is None or stage.subject.rays is None:
-            return
+            return False
         table = ray_table(stage.subject.rays)
         if index >= len(table):
             self._index = -1
             self.remark = "no further ray is wrong"
-            return
+            return False
         self._index, self.pixel = index, (-1, -1)
         self._ask(Followed(table[index], f"ray {index}", self._trial, index), failing)
+        return True
 
     def _ask(self, of: Followed, failing: bool) -> None:
         stage = self._stage
@@ -228,8 +230,7 @@ class Study:
         walk = walk_of(stage.subject.mesh, stage.tree, stage.live.walk(), asked.of)
         rays = stage.subject.rays
         if asked.failing and rays is not None and not _is_wrong(walk):
-            self._follow_given(asked.of.index + 1, failing=True)
-            if self._asked is not None:
+            if self._follow_given(asked.of.index + 1, failing=True):
                 return False
         self.walk = walk
         self.walk_to(deepest_known(walk) + 1)
@@ -241,5 +242,5 @@ class Study:
 def _is_wrong(walk: Walk) -> bool:
     if walk.expected is None:
         return False
-    one, other = np.float32([walk.found]), np.float32([walk.expected])
-    return bool(differing(one, other)[0])
+    pair = np.array([[walk.found], [walk.expected]], np.float32)
+    return bool(differing(pair[0], pair[1])[0])

@@ -121,7 +121,8 @@ class Traced:
     @property
     def block(self) -> int:
         """Side of the blocks that are being traced."""
-        return next((one.block for one in self._levels if self._seen < one.past), 1)
+        past = [one.block for one in self._levels if self._seen < one.past]
+        return past[0] if past else 1 if self._levels else BLOCKS[0]
 
     def begin(self, orbit: Orbit, width: int, height: int) -> None:
         """Want another picture; the one before is dropped."""
@@ -185,7 +186,8 @@ class Traced:
 
     def _ask(self) -> None:
         """Keep the process busy for a while, level by level."""
-        if self._wanted is not None or not self._levels:
+        orbit = self.orbit
+        if self._wanted is not None or orbit is None:
             return
         live, past = self._live, self._levels[-1].past
         while self._asked < past and live.may_ask():
@@ -195,7 +197,7 @@ class Traced:
             level = next(one for one in self._levels if self._asked < one.past)
             count = min(self._batch(), level.past - self._asked)
             pixels = self._pixels(level, self._asked, count)
-            table = rays_of(self.orbit, self.width, self.height, pixels)
+            table = rays_of(orbit, self.width, self.height, pixels)
             live.trace(table, self._asked)
             self._asked += count
 

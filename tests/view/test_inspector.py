@@ -70,9 +70,7 @@ def test_garbage_is_described_and_not_trusted() -> None:
 def test_a_tree_without_nodes_says_nothing() -> None:
     """An empty mesh has no node to look at."""
     empty = Mesh(np.zeros((0, 3), np.float32), np.zeros((0, 3), np.uint32))
-    nothing = altered(
-        TREE, low=TREE.low[:0], high=TREE.high[:0], begin=[], end=[], order=[]
-    )
+    nothing = altered(TREE, low=TREE.low[:0], high=TREE.high[:0], begin=[], end=[], order=[])
     assert not judgement(empty, nothing).every.size
     assert deepest_of(nothing) == -1
 

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from grader.view.camera import frame_of, orbit_around, rays_of
-from grader.view.overlay import Stroke, edges, of_node, outlines, projected
 from grader.view.inspector import facts_of, judgement
+from grader.view.overlay import Stroke, edges, of_node, outlines, projected
 from tests.verify.builder import build, changed, soup
 
 ORBIT = orbit_around(-np.ones(3), np.ones(3))
