@@ -29,8 +29,8 @@ class Panel:
 
     def __init__(self, desk: Desk, study: Study, words: Words) -> None:
         self._desk, self._study, self._words = desk, study, words
-        self.saved = ""
-        """Where the last picture was saved, or why it was not."""
+        self.remark = ""
+        """What came of the last picture or file."""
 
     def draw(self, imgui: ModuleType, shown: Shown | None) -> None:
         """Draw everything, from top to bottom."""
@@ -50,7 +50,7 @@ class Panel:
             Mode.DIFFERENCE: words("pixels that differ"),
         }
         imgui.set_next_item_width(-1)
-        if imgui.begin_combo("##mode", names[desk.mode]):
+        if imgui.begin_combo("###mode", names[desk.mode]):
             for mode, name in names.items():
                 if imgui.selectable(name, mode is desk.mode)[0]:
                     desk.compare(mode)
@@ -101,7 +101,7 @@ class Panel:
             imgui.pop_style_color()
             if desk.stage.state is State.ENDED and imgui.button(words("Run it again")):
                 desk.run_again()
-        for text in (self._study.remark, self.saved):
+        for text in (self._study.remark, self.remark):
             if text:
                 imgui.text_wrapped(one_line(text, 300))
 
@@ -110,7 +110,7 @@ class Panel:
         imgui.separator_text(words("Node"))
         if facts is None:
             imgui.text_wrapped(words("Click a box on the left, or enter a number."))
-        changed, node = imgui.input_int("##node", facts.node if facts else 0)
+        changed, node = imgui.input_int("###node", facts.node if facts else 0)
         if changed:
             self._study.select(node)
         if facts is not None:
@@ -157,10 +157,10 @@ class Panel:
             imgui.text(words("expected: {right}").format(right=right))
         if walk.sentence:
             imgui.text_wrapped(walk.sentence)
-        if imgui.arrow_button("##back", imgui.Dir.left):
+        if imgui.arrow_button("###back", imgui.Dir.left):
             study.walk_to(study.step - 1)
         imgui.same_line()
-        if imgui.arrow_button("##on", imgui.Dir.right):
+        if imgui.arrow_button("###on", imgui.Dir.right):
             study.walk_to(study.step + 1)
         imgui.same_line()
         imgui.text(words("step {step} of {steps}").format(step=study.step, steps=walk.total))
@@ -170,7 +170,7 @@ class Panel:
         """List what the ray tested, in order."""
         words, study = self._words, self._study
         walk = study.walk
-        if walk is None or not imgui.begin_child("##steps", (0, 0)):
+        if walk is None or not imgui.begin_child("###steps", (0, 0)):
             imgui.end_child()
             return
         lost = deepest_known(walk)

@@ -116,7 +116,7 @@ class Preview:
             one.release()
 
     def load_tree(self, tree: Bvh | None) -> None:
-        """Take the boxes of a tree; what stands in it decides about nothing but where lines go."""
+        """Take the boxes of a tree; what stands in it only says where lines go."""
         self.unload("tree")
         self._tree, self._nodes = None, 0
         if tree is None or not len(tree.end):

@@ -203,7 +203,7 @@ class Study:
         return True
 
     def _follow_given(self, index: int, failing: bool) -> bool:
-        """Follow a ray of the counterexample, or the next one that is wrong; if there is one."""
+        """Follow a ray of the counterexample; tells whether there is one."""
         stage = self._stage
         if stage is None or stage.subject.rays is None:
             return False
@@ -229,9 +229,9 @@ class Study:
         self._asked = None
         walk = walk_of(stage.subject.mesh, stage.tree, stage.live.walk(), asked.of)
         rays = stage.subject.rays
-        if asked.failing and rays is not None and not _is_wrong(walk):
-            if self._follow_given(asked.of.index + 1, failing=True):
-                return False
+        onward = asked.failing and rays is not None and not _is_wrong(walk)
+        if onward and self._follow_given(asked.of.index + 1, failing=True):
+            return False
         self.walk = walk
         self.walk_to(deepest_known(walk) + 1)
         if walk.lost >= 0:

@@ -1,5 +1,6 @@
 """Submissions that a viewer has to bear, made from the given code."""
 
+from grader import resources
 from tests.compiled import STARTER
 
 HERE = "    Intersection closest;\n"
@@ -23,11 +24,19 @@ def constructing(first: str) -> str:
     return given().replace(AHEAD, f"{AHEAD}    {first}\n")
 
 
+RIGHT = "if (ray.direction.x > -0.35f)"
+"""Of the picture that tests look at."""
+
 CRASH = "*reinterpret_cast<volatile int*>(sizeof(char) - 1) = 1;"
 HANG = "for (volatile bool on = true; on;) {}"
-CRASHES_AT_THE_RIGHT = tracing(f"if (ray.direction.x > 0.1f) {{ {CRASH} }}")
-HANGS_AT_THE_RIGHT = tracing(f"if (ray.direction.x > 0.1f) {{ {HANG} }}")
+CRASHES_AT_THE_RIGHT = tracing(f"{RIGHT} {{ {CRASH} }}")
+HANGS_AT_THE_RIGHT = tracing(f"{RIGHT} {{ {HANG} }}")
 CRASHES_IN_CONSTRUCT = constructing(CRASH)
 THROWS = tracing('throw "on purpose";')
-LEAVES = tracing("if (ray.direction.x > 0.1f) { std::exit(0); }")
-MISSES = tracing("if (ray.direction.x > 0.1f) { return {}; }")
+LEAVES = tracing(f"{RIGHT} {{ std::exit(0); }}")
+MISSES = tracing(f"{RIGHT} {{ return {{}}; }}")
+
+
+def reference() -> str:
+    """Return the model solution."""
+    return resources.reference_source().read_text(encoding="utf-8")

@@ -57,7 +57,7 @@ def test_children_that_lose_faces_are_named() -> None:
 
 
 def test_garbage_is_described_and_not_trusted() -> None:
-    """Ranges and face indices outside of the mesh are told, and nothing is looked up by them."""
+    """Ranges and face indices outside of the mesh are told, and never followed."""
     bad = changed(changed(TREE, "end", 3, 4_000_000_000), "order", 0, 4_000_000_000)
     known = judgement(MESH, bad)
     assert known.unreadable

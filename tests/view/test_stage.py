@@ -73,6 +73,7 @@ def test_another_view_takes_the_place_of_the_first(right: Engine, staged: Staged
         (sources.CRASHES_AT_THE_RIGHT, "SIGSEGV"),
         (sources.LEAVES, "ended itself"),
     ],
+    ids=["crash", "exit"],
 )
 def test_the_end_of_a_process_names_its_pixel(
     compiled: Compiled, staged: Staged, source: str, told: str

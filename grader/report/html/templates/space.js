@@ -67,6 +67,18 @@ const edgesOf = (box) => {
   return lines;
 };
 
+// All boxes alike, or each level in its own colour: nodes 2^n - 1 to 2^(n + 1) - 2 are level n.
+const LEVELS = [[1, .4, .4], [.85, .4, 1], [.45, .5, 1], [.3, .85, 1], [.35, 1, .6], [.75, 1, .3], [1, .85, .3]];
+const boxRuns = ({ first, count, levels }) => {
+  const past = first + count, runs = [];
+  if (!levels) return [[first, past, [.62, .8, .3, .75]]];
+  for (let level = 0; 2 ** level - 1 < past; level++) {
+    const run = [Math.max(first, 2 ** level - 1), Math.min(past, 2 ** (level + 1) - 1)];
+    if (run[0] < run[1]) runs.push([...run, LEVELS[level % LEVELS.length]]);
+  }
+  return runs;
+};
+
 // Whoever wants to know from where one looks is told so, whenever that changes.
 const openSpace = (canvas, seen = null) => {
   const gl = canvas.getContext("webgl2", { antialias: true });
@@ -139,7 +151,9 @@ const openSpace = (canvas, seen = null) => {
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
     gl.depthMask(false);
-    stroke(boxes, shown.first * 12, shown.count * 12, { colour: [.62, .8, .3, .75], wide: 1.3 * dense, dash: 0 });
+    for (const [first, past, colour] of boxRuns(shown)) {
+      stroke(boxes, first * 12, (past - first) * 12, { colour, wide: 1.3 * dense, dash: 0 });
+    }
     for (const one of shown.lines) {
       gl.bindBuffer(gl.ARRAY_BUFFER, extra);
       gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(one.at), gl.DYNAMIC_DRAW);

@@ -35,6 +35,7 @@
     const { node, ray, step } = state;
     Object.assign(opened.model, { node: node && node.wrong ? node.index : null, expected_box: node ? node.right_box : null, marked: [], ray });
     const what = display(opened, { level: Number(level.value), only: only.checked, step });
+    what.levels = true;
     if (node && !node.wrong && opened.box(node.index)) what.lines.push({ at: edgesOf(opened.box(node.index)), colour: COLOURS.marked, wide: 3 });
     byId("level-told").value = level.value < 0 ? "\u2013" : level.value;
     if (space) space.show(what);
@@ -93,7 +94,8 @@
       if (model) {
         const before = opened && !anew ? { ...look } : model.home;
         opened = await openModel(model);
-        level.max = Math.max(0, Math.floor(Math.log2(Math.max(1, model.boxes.count))));
+        // As long as there is no tree, the level that is wanted stays as it is.
+        if (model.boxes.count) level.max = Math.floor(Math.log2(model.boxes.count));
         if (space) space.load(opened.mesh, opened.boxLines, before);
         else look = before;
         document.body.dataset.shown = `${subject}.${tree}`;

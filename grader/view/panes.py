@@ -1,0 +1,162 @@
+"""The two panes of a window: the preview on the left, what is traced on the right."""
+
+import time
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from grader.model.mesh import Bytes
+from grader.view.camera import Orbit
+from grader.view.desk import Desk
+from grader.view.overlay import projected
+from grader.view.panel import colour_of
+from grader.view.picture import Shown, shown
+from grader.view.preview import Preview
+from grader.view.shades import tint
+from grader.view.steering import dragged, is_clicked
+from grader.view.study import Study
+
+if TYPE_CHECKING:
+    import moderngl
+
+SETTLED_SECONDS = 0.3
+"""After the last move of the camera the whole mesh is drawn."""
+
+
+class Panes:
+    """Both panes, in the OpenGL of a window."""
+
+    def __init__(self, desk: Desk, study: Study, context: "moderngl.Context") -> None:
+        """Take over a window's OpenGL.
+
+        Args:
+            desk: What is shown.
+            study: What is looked at more closely.
+            context: OpenGL 3.3 or newer, which is ImGui's, too.
+        """
+        self._desk, self._study, self._context = desk, study, context
+        self._preview = Preview(context)
+        self._right: moderngl.Texture | None = None
+        self._drawn: object = None
+        self._subjects = -1
+        self._tree: object = None
+        self._moved = 0.0
+        self._mode = desk.mode
+        self.is_stale = True
+        """Whether something else is traced than is shown."""
+
+        self.shown: Shown | None = None
+        self.preview_seconds = 0.0
+
+    def look(self, orbit: Orbit) -> bool:
+        """Move the camera; tells whether it is another one."""
+        if orbit == self._desk.orbit:
+            return False
+        self._moved = time.monotonic()
+        self._desk.look(orbit)
+        return True
+
+    def load(self) -> None:
+        """Give the graphics card what is new."""
+        desk, preview = self._desk, self._preview
+        if desk.subject is not None and self._subjects != desk.subjects:
+            self._subjects, self._drawn = desk.subjects, None
+            preview.tint = tint(desk.subject.albedo)
+            preview.load("whole", desk.subject.mesh)
+            preview.unload("moving")
+            if desk.light is not None and desk.light is not desk.subject.mesh:
+                preview.load("moving", desk.light)
+        tree = desk.stage.tree if desk.stage else None
+        if tree is not self._tree:
+            self._tree, self._drawn = tree, None
+            preview.load_tree(tree)
+
+    @property
+    def is_settled(self) -> bool:
+        """Whether the whole mesh is drawn."""
+        return time.monotonic() - self._moved >= SETTLED_SECONDS
+
+    def left(self, imgui: ModuleType, size: tuple[int, int]) -> bool:
+        """Draw the preview; tells whether the camera was moved."""
+        desk, preview = self._desk, self._preview
+        moving, level = not self.is_settled, min(desk.level, desk.deepest)
+        wanted = (desk.orbit, size, level, desk.only, moving)
+        if desk.orbit is not None and wanted != self._drawn:
+            begun = time.monotonic()
+            preview.draw(desk.orbit, size, level, desk.only, moving)
+            self._context.finish()
+            self.preview_seconds = time.monotonic() - begun
+            # As ImGui expects it.
+            self._context.screen.use()
+            self._drawn = wanted
+        corner = imgui.get_cursor_screen_pos()
+        _image(imgui, preview.texture, size, upright=False)
+        if is_clicked(imgui):
+            self._study.pick(_pixel(imgui, corner, size))
+        moved = self._steered(imgui, size)
+        if desk.orbit is not None:
+            self._strokes(imgui, corner, size, desk.orbit)
+        return moved
+
+    def right(self, imgui: ModuleType, size: tuple[int, int]) -> bool:
+        """Draw what is traced; tells whether the camera was moved."""
+        if self.is_stale or self._mode is not self._desk.mode:
+            self.is_stale, self._mode = False, self._desk.mode
+            self.shown = shown(self._desk)
+            if self.shown is not None:
+                self._upload(self.shown.pixels)
+        corner = imgui.get_cursor_screen_pos()
+        _image(imgui, self._right if self.shown else None, size, upright=True)
+        if is_clicked(imgui):
+            self._study.follow(_pixel(imgui, corner, size))
+        return self._steered(imgui, size)
+
+    def _steered(self, imgui: ModuleType, size: tuple[int, int]) -> bool:
+        orbit = self._desk.orbit
+        if orbit is None or not imgui.is_item_hovered():
+            return False
+        return self.look(dragged(imgui, orbit, size[1]))
+
+    def _strokes(
+        self,
+        imgui: ModuleType,
+        corner: Any,  # noqa: ANN401 - ImVec2
+        size: tuple[int, int],
+        orbit: Orbit,
+    ) -> None:
+        """Draw lines over the left pane."""
+        drawn = imgui.get_window_draw_list()
+        end = (corner.x + size[0], corner.y + size[1])
+        drawn.push_clip_rect((corner.x, corner.y), end, True)
+        for stroke in self._study.strokes():
+            flat = projected(stroke, orbit, *size)
+            colour = colour_of(imgui, flat.colour)
+            for one, other in (flat.lines + np.array([corner.x, corner.y])).tolist():
+                drawn.add_line(tuple(one), tuple(other), colour, flat.width)
+        drawn.pop_clip_rect()
+
+    def _upload(self, pixels: Bytes) -> None:
+        size = pixels.shape[1], pixels.shape[0]
+        if self._right is None or self._right.size != size:
+            if self._right is not None:
+                self._right.release()
+            self._right = self._context.texture(size, 3, alignment=1)
+        self._right.write(np.ascontiguousarray(pixels))
+
+
+def _image(
+    imgui: ModuleType, texture: "moderngl.Texture | None", size: tuple[int, int], upright: bool
+) -> None:
+    if texture is None:
+        imgui.dummy(size)
+        return
+    first, last = ((0, 0), (1, 1)) if upright else ((0, 1), (1, 0))
+    imgui.image(imgui.ImTextureRef(texture.glo), size, first, last)
+
+
+def _pixel(imgui: ModuleType, corner: Any, size: tuple[int, int]) -> tuple[int, int]:  # noqa: ANN401 - ImVec2
+    """Column and row under the mouse."""
+    at = imgui.get_mouse_pos()
+    column, row = int(at.x - corner.x), int(at.y - corner.y)
+    return min(max(column, 0), size[0] - 1), min(max(row, 0), size[1] - 1)

@@ -1,0 +1,201 @@
+"""Opens the viewer's window, does to it what hands would do, and writes down what was seen.
+
+Run by the tests in a process of its own: ImGui and GLFW keep what they hold until its end.
+"""
+
+import json
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from imgui_bundle import imgui, immapp
+from imgui_bundle.immapp import testing
+
+from grader.cli.progress import silent
+from grader.options import Options
+from grader.view.desk import Desk, Mode
+from grader.view.shades import BACKGROUND
+from grader.view.stage import State
+from grader.view.study import Study
+from grader.view.subject import of_scene
+from grader.view.traced import agreement, mask_of
+from grader.view.window import Window, runner
+from tests.view import sources
+
+SCENE = "soup"
+MOST_FRAMES = 20_000
+
+
+class Hands:
+    """What is done to a window, deed by deed."""
+
+    def __init__(self, window: Window, file: Path) -> None:
+        self.window, self.file = window, file
+        self.seen: dict[str, Any] = {}
+        self.left: np.ndarray | None = None
+
+    def wait(self, ctx: Any, holds: Callable[[], bool]) -> None:  # noqa: ANN401 - ImGui's own
+        """Let frames pass until something holds."""
+        for _ in range(MOST_FRAMES):
+            if holds():
+                return
+            ctx.yield_()
+        raise TimeoutError("what was waited for never came")
+
+    def is_traced(self) -> bool:
+        """Whether the picture is there."""
+        desk = self.window.desk
+        return (
+            desk.stage is not None
+            and not desk.is_building
+            and not desk.is_loading
+            and desk.stage.traced.is_done
+        )
+
+    def work(self, ctx: Any, deeds: list[str]) -> None:  # noqa: ANN401 - ImGui's own
+        """Do all deeds."""
+        if deeds[0] not in ("trouble", "broken"):
+            self.wait(ctx, self.is_traced)
+            self.wait(ctx, lambda: self.left is not None)
+            stage = self.window.desk.stage
+            assert stage is not None
+            assert self.left is not None
+            drawn = (self.left != BACKGROUND).any(axis=2)
+            self.seen["agreement"] = agreement(drawn, mask_of(stage.traced.hits))
+        ctx.set_ref("Main window (title bar invisible)")
+        for deed in deeds:
+            self.seen[deed] = getattr(self, deed)(ctx)
+
+    def drag(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401
+        """Drag over the left pane."""
+        window = self.window
+        before = window.desk.orbit
+        self.to(ctx, 0.5, 0)
+        ctx.mouse_down(0)
+        for _ in range(4):
+            at = imgui.get_io().mouse_pos
+            ctx.mouse_move_to_pos((at.x + 20, at.y + 6))
+        ctx.mouse_up(0)
+        self.wait(ctx, lambda: bool(window.waited))
+        return {"turned": window.desk.orbit != before, "waited": window.waited}
+
+    def slider(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401
+        """Move the slider of levels."""
+        before = self.window.desk.level
+        ctx.item_input_value("###level", 2)
+        return {"before": before, "level": self.window.desk.level}
+
+    def heat(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401
+        """Switch to the heatmap and back."""
+        ctx.item_click("###cost")
+        panes = self.window.panes
+        assert panes is not None
+        self.wait(ctx, lambda: bool(panes.shown and panes.shown.scale))
+        assert panes.shown is not None
+        scale = panes.shown.scale
+        ctx.item_click("###cost")
+        return {"scale": scale, "back": self.window.desk.mode is Mode.SHADED}
+
+    def keys(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401
+        """Turn by the keyboard."""
+        before = self.window.desk.orbit
+        ctx.key_press(imgui.Key.w)
+        ctx.yield_(2)
+        return {"turned": self.window.desk.orbit != before}
+
+    def click(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401
+        """Click a pixel on the right, then a box on the left."""
+        window, study = self.window, self.window.study
+        self.wait(ctx, self.is_traced)
+        self.to(ctx, 0.5, 1)
+        ctx.mouse_click(0)
+        self.wait(ctx, lambda: study.walk is not None)
+        window.desk.level = 0
+        self.to(ctx, 0.5, 0)
+        ctx.mouse_click(0)
+        self.wait(ctx, lambda: study.facts is not None)
+        assert study.walk is not None
+        assert study.facts is not None
+        return {"steps": len(study.walk.steps), "node": study.facts.node}
+
+    def save(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401
+        """Save a picture."""
+        ctx.item_click("###save")
+        ctx.yield_(2)
+        return {"files": len(list(Path().glob("bvhgrade-*.png")))}
+
+    def combo(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401
+        """Choose another scene."""
+        ctx.combo_click("###scene/nested")
+        desk = self.window.desk
+        self.wait(ctx, lambda: desk.subject is not None and desk.subject.name == "nested")
+        self.wait(ctx, self.is_traced)
+        return {"subject": desk.subject.name if desk.subject else ""}
+
+    def trouble(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401
+        """Wait until the submission ended."""
+        desk = self.window.desk
+        self.wait(ctx, lambda: desk.stage is not None and bool(desk.stage.trouble))
+        frames = self.window.frames
+        self.wait(ctx, lambda: self.window.frames > frames + 3)
+        return {"text": desk.stage.trouble if desk.stage else ""}
+
+    def broken(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401
+        """Wait until the compiler has complained."""
+        desk = self.window.desk
+        self.wait(ctx, lambda: desk.product is not None and desk.product.engine is None)
+        assert desk.product is not None
+        return {"lines": [one.line for one in desk.product.diagnostics]}
+
+    def rebuild(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401
+        """Save another source, and wait until that is shown."""
+        desk, before = self.window.desk, self.window.desk.product
+        self.file.write_text(sources.reference(), encoding="utf-8")
+        self.wait(ctx, lambda: desk.product is not before and self.is_traced())
+        stage = desk.stage
+        assert stage is not None
+        assert stage.state is State.TRACING
+        return {"text": stage.trouble, "share": stage.traced.share}
+
+    def to(self, ctx: Any, share: float, pane: int) -> None:  # noqa: ANN401
+        """Move the mouse over a pane: 0 is the left one."""
+        width, height = self.window.desk.size
+        window = ctx.get_window_by_ref("//Main window (title bar invisible)")
+        x = window.pos.x + 8 + pane * (width + 8) + share * width
+        ctx.mouse_move_to_pos((x, window.pos.y + 40 + share * height))
+
+    def frame(self) -> None:
+        """Draw a frame, and keep the first settled preview without boxes."""
+        self.window.frame()
+        panes, desk = self.window.panes, self.window.desk
+        if self.left is None and panes is not None and panes.is_settled and self.is_traced():
+            assert desk.orbit is not None
+            preview = panes._preview
+            preview.draw(desk.orbit, desk.size, -1, only=False, moving=False)
+            self.left = preview.pixels()
+            panes._context.screen.use()
+            panes._drawn = None
+
+
+def main(file: Path, told: Path, deeds: list[str]) -> None:
+    """Open the window, do the deeds, write down what was seen."""
+    options = Options(41, None, (), silent)
+    with Desk(file, options, lambda: of_scene(SCENE)) as desk:
+        study = Study(desk)
+        window = Window(desk, study, [SCENE, "nested"], str)
+        hands = Hands(window, file)
+        params = runner(window, "test")
+        params.callbacks.show_gui = hands.frame
+        testing.run(
+            test_function=lambda ctx: hands.work(ctx, deeds),
+            runner_params=params,
+        )
+        study.close()
+    told.write_text(json.dumps(hands.seen))
+
+
+if __name__ == "__main__":
+    assert immapp
+    main(Path(sys.argv[1]), Path(sys.argv[2]), sys.argv[3:])
