@@ -116,7 +116,8 @@ class Stage:
             return
         self.in_construct = self.state is State.CONSTRUCTING
         self.state = State.ENDED
-        what = ending.detail
+        # Nobody asked it to end, however well it did.
+        what = ending.detail or "the program ended itself"
         if self._hung or ending.stop is Stop.TIMED_OUT:
             what = "did not come back and was stopped"
         if self.in_construct:
