@@ -6,10 +6,8 @@ import numpy as np
 
 from grader.model.mesh import Bytes
 from grader.report.colours import HEAT
-from grader.view.camera import frame_of
 from grader.view.desk import Desk, Mode
-from grader.view.shades import BACKGROUND, differing, heat, shaded
-from grader.view.stage import Stage
+from grader.view.shades import BACKGROUND, coloured, differing, heat
 from grader.view.traced import Traced
 
 BRIGHTEST = 99
@@ -38,7 +36,7 @@ def shown(desk: Desk) -> Shown | None:
     traced = stage.traced
     if desk.mode is Mode.COST:
         return _costs(traced)
-    pixels = _shaded(stage)
+    pixels = coloured(traced.bright, stage.subject.albedo)
     if desk.mode is not Mode.DIFFERENCE:
         return Shown(pixels)
     mask = wrong_pixels(desk)
@@ -55,19 +53,12 @@ def wrong_pixels(desk: Desk) -> np.ndarray | None:
     if desk.stage is None or desk.rival is None:
         return None
     yours, ours = desk.stage.traced, desk.rival.traced
-    if yours.hits.shape != ours.hits.shape or yours.orbit != ours.orbit:
+    if yours.t.shape != ours.t.shape or yours.orbit != ours.orbit:
         return None
-    apart = differing(yours.hits[..., 3], ours.hits[..., 3])
+    apart = differing(yours.t, ours.t)
     # Blocks that not both have painted as finely are not comparable yet.
     fine = yours.fine & ours.fine
     return np.asarray(apart & fine)
-
-
-def _shaded(stage: Stage) -> Bytes:
-    traced, albedo = stage.traced, stage.subject.albedo
-    frame = frame_of(traced.orbit or stage.subject.home)
-    flat = shaded(traced.hits.reshape(-1, 7), frame, albedo)
-    return flat.reshape(traced.height, traced.width, 3)
 
 
 def _costs(traced: Traced) -> Shown:

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from grader.model.mesh import Bytes, Doubles, Floats, Integers, Mask
+from grader.model.mesh import Bytes, Doubles, Floats, Indices, Mask
 from grader.view.camera import Frame
 
 BACKGROUND = (24, 26, 31)
@@ -22,23 +22,37 @@ def light_of(frame: Frame) -> Doubles:
     return np.asarray(lamp / np.linalg.norm(lamp))
 
 
-def shaded(hits: Floats, frame: Frame, albedo: tuple[float, float, float]) -> Bytes:
+def brightness(hits: Floats, frame: Frame) -> Bytes:
     """Shade hits.
 
     Args:
         hits: (K, 7) float32, point, t and normal.
         frame: Of the camera.
-        albedo: Of the surface, 0 to 1.
 
     Returns:
-        (K, 3) uint8, sRGB.
+        (K,) uint8, 0 where nothing is hit, 1 to 255 from edge-on to full light.
     """
     light = light_of(frame).astype(np.float32)
     with np.errstate(invalid="ignore", over="ignore"):
         cosine = np.abs(hits[:, 4:7] @ light)
-    bright = DARKEST + (1 - DARKEST) * np.nan_to_num(np.clip(cosine, 0, 1))
-    colour = np.rint(bright[:, None] * tint(albedo)).astype(np.uint8)
-    return np.where(is_hit(hits)[:, None], colour, np.array(BACKGROUND, np.uint8))
+    steps = 1 + np.rint(254 * np.nan_to_num(np.clip(cosine, 0, 1))).astype(np.uint8)
+    return np.where(is_hit(hits[:, 3]), steps, np.uint8(0))
+
+
+def coloured(bright: Bytes, albedo: tuple[float, float, float]) -> Bytes:
+    """Colour what was shaded.
+
+    Args:
+        bright: (...) uint8, from `brightness`.
+        albedo: Of the surface, 0 to 1.
+
+    Returns:
+        (..., 3) uint8, sRGB.
+    """
+    share = DARKEST + (1 - DARKEST) * np.arange(-1, 255)[:, None] / 254
+    table = np.rint(share * tint(albedo)).clip(0, 255).astype(np.uint8)
+    table[0] = BACKGROUND
+    return np.asarray(table.take(bright, axis=0))
 
 
 def tint(albedo: tuple[float, float, float]) -> Floats:
@@ -46,10 +60,10 @@ def tint(albedo: tuple[float, float, float]) -> Floats:
     return np.asarray(255 * np.array(albedo) ** (1 / 2.2), np.float32)
 
 
-def is_hit(hits: Floats) -> Mask:
-    """(K,) bool, what `Intersection` itself says: a t that is below infinity."""
+def is_hit(t: Floats) -> Mask:
+    """(...) bool, what `Intersection` itself says: a t that is below infinity."""
     with np.errstate(invalid="ignore"):
-        return np.asarray(hits[:, 3] < np.inf)
+        return np.asarray(t < np.inf)
 
 
 def differing(one: Floats, other: Floats) -> Mask:
@@ -59,13 +73,13 @@ def differing(one: Floats, other: Floats) -> Mask:
         return np.asarray(~(same | ((one >= np.inf) & (other >= np.inf))))
 
 
-def heat(tests: Integers, scale: int, colours: Bytes) -> Bytes:
+def heat(tests: Indices, scale: int, colours: Bytes) -> Bytes:
     """Colour costs.
 
     Args:
-        tests: (K,) int64, box tests and triangle tests together.
+        tests: (...) uint32, box tests and triangle tests together.
         scale: The cost at the bright end.
         colours: (256, 3) uint8, from the dark end to the bright one.
     """
-    place = np.minimum(255 * tests // max(scale, 1), 255)
-    return np.asarray(colours[place])
+    place = np.minimum(tests, scale).astype(np.int64) * 255 // max(scale, 1)
+    return np.asarray(colours.take(place, axis=0))

@@ -92,6 +92,11 @@ class Stage:
         if self.state is not State.ENDED:
             self.traced.begin(orbit, width, height)
 
+    @property
+    def is_tracing(self) -> bool:
+        """Whether more of the picture is to come soon."""
+        return self.state is State.TRACING and not self.traced.is_done
+
     def close(self) -> None:
         """End the process."""
         self.live.close()

@@ -17,6 +17,9 @@ from grader.view.shades import differing
 from grader.view.stage import Stage, State
 from grader.view.walking import Followed, Walk, deepest_known, walk_of
 
+JUDGED_AT_ONCE = 50_000
+"""Faces of a mesh; the nodes of a larger tree are judged once somebody looks at one."""
+
 
 @dataclass(frozen=True, slots=True)
 class _Asked:
@@ -174,7 +177,9 @@ class Study:
 
     def _judge(self, stage: Stage) -> bool:
         """Judge the submission's own tree aside; ours needs no judge."""
-        if stage.tree is not None and self._judged is not stage.tree:
+        small = len(stage.subject.mesh.faces) <= JUDGED_AT_ONCE
+        wanted = small or self._onward or self.facts is not None
+        if stage.tree is not None and self._judged is not stage.tree and wanted:
             self._judged = stage.tree
             self._judging = self._aside.submit(judgement, stage.subject.mesh, stage.tree)
         if self._judging is None or not self._judging.done():

@@ -10,10 +10,12 @@ from dataclasses import dataclass
 from typing import TypeVar
 
 import numpy as np
+import numpy.typing as npt
 
-from grader.model.mesh import Floats, Integers, Mask
+from grader.model.mesh import Indices, Integers, Mask
 from grader.run.live import Live
-from grader.view.camera import Orbit, rays_of
+from grader.view.camera import Orbit, frame_of, rays_of
+from grader.view.shades import brightness
 
 BLOCKS = (16, 4, 1)
 """Sides of the blocks, in pixels."""
@@ -53,6 +55,23 @@ class Level:
         """Place behind its last ray."""
         return self.first + self.columns * self.rows
 
+    def paint(self, whole: npt.NDArray[Kind], values: npt.NDArray[Kind], first: int) -> None:
+        """Paint blocks.
+
+        Args:
+            whole: (H, W), the picture.
+            values: (K,), one for each block.
+            first: Place of the first ray.
+        """
+        begin, block, width = first - self.first, self.block, whole.shape[1]
+        if block == 1:
+            whole.reshape(-1)[begin : begin + len(values)] = values
+            return
+        for row, left, right in _rows(begin, begin + len(values), self.columns):
+            at = row * self.columns - begin
+            line = np.repeat(values[at + left : at + right], block)[: width - left * block]
+            whole[row * block : (row + 1) * block, left * block : right * block] = line
+
 
 def levels_of(width: int, height: int) -> tuple[Level, ...]:
     """Divide a picture."""
@@ -78,27 +97,26 @@ class Traced:
         self._wanted: tuple[Orbit, int, int] | None = None
         self._levels: tuple[Level, ...] = ()
         self._asked = self._seen = 0
-        self._spent = live.trace_seconds
-        self._rate = 0.0
+        self._spent, self._rate = live.trace_seconds, 0.0
         self._unheard, self._looked = 0.0, time.monotonic()
         self.orbit: Orbit | None = None
         """The camera of the picture; None if there is none yet."""
 
         self.width = self.height = 0
-        self.hits = np.zeros((0, 0, 7), np.float32)
-        """(H, W, 7) float32: point, t and normal."""
+        self.t = np.zeros((0, 0), np.float32)
+        """(H, W) float32, where each ray hits; infinite for a miss."""
 
-        self.tests = np.zeros((0, 0), np.int64)
-        """(H, W) int64: box tests and triangle tests of the ray that painted it."""
+        self.bright = np.zeros((0, 0), np.uint8)
+        """(H, W) uint8, as `shades.brightness` has it."""
+
+        self.tests = np.zeros((0, 0), np.uint32)
+        """(H, W) uint32: box tests and triangle tests of the ray that painted it."""
 
         self.seen = np.zeros((0, 0), np.bool_)
         """(H, W) bool, True where anything was painted."""
 
         self.fine = np.zeros((0, 0), np.bool_)
         """(H, W) bool, True for pixels that have their own ray."""
-
-        self.version = 0
-        """Another one whenever something was painted."""
 
         self.seconds = 0.0
         """In `intersect`, for this picture, as the process says."""
@@ -177,8 +195,9 @@ class Traced:
         self._spent, self.seconds = self._live.trace_seconds, 0.0
         self._boxes = self._triangles = 0
         if resized:
-            self.hits = np.full((height, width, 7), np.inf, np.float32)
-            self.tests = np.zeros((height, width), np.int64)
+            self.t = np.full((height, width), np.inf, np.float32)
+            self.bright = np.zeros((height, width), np.uint8)
+            self.tests = np.zeros((height, width), np.uint32)
             self.seen = np.zeros((height, width), np.bool_)
             self.fine = np.zeros((height, width), np.bool_)
         self.fine[:] = False
@@ -229,36 +248,28 @@ class Traced:
             if first < past:
                 self._paint(level, first, past)
         self._seen, self._unheard = done, 0.0
-        self.version += 1
         return True
 
     def _paint(self, level: Level, first: int, past: int) -> None:
         hits, tests = self._live.hits(first, past)
-        cost = tests.astype(np.int64)
         if level.block == 1:
-            self._count(cost, past - level.first)
-            flat = slice(first - level.first, past - level.first)
-            self.hits.reshape(-1, 7)[flat] = hits
-            self.tests.reshape(-1)[flat] = cost.sum(axis=1)
-            self.seen.reshape(-1)[flat] = True
-            self.fine.reshape(-1)[flat] = True
+            self._count(tests, past - level.first)
+        orbit = self.orbit
+        if orbit is None:
             return
-        known = np.ones(past - first, np.bool_)
-        for row, begin, end in _rows(first - level.first, past - level.first, level.columns):
-            part = slice(row * level.columns + begin, row * level.columns + end)
-            part = slice(part.start - first + level.first, part.stop - first + level.first)
-            block = level.block
-            area = (
-                slice(row * block, (row + 1) * block),
-                slice(begin * block, min(end * block, self.width)),
-            )
-            self.hits[area] = _wide(hits[part], block, self.width - begin * block)
-            self.tests[area] = _wide(cost[part].sum(axis=1), block, self.width - begin * block)
-            self.seen[area] = _wide(known[part], block, self.width - begin * block)
+        painted = (
+            (self.t, hits[:, 3]),
+            (self.bright, brightness(hits, frame_of(orbit))),
+            (self.tests, tests.sum(axis=1, dtype=np.uint32)),
+            (self.seen, np.ones(past - first, np.bool_)),
+            (self.fine, np.full(past - first, level.block == 1)),
+        )
+        for whole, values in painted:
+            level.paint(whole, values, first)
 
-    def _count(self, tests: Integers, rays: int) -> None:
+    def _count(self, tests: Indices, rays: int) -> None:
         """Keep the mean of what the finest level costs."""
-        boxes, triangles = tests.sum(axis=0)
+        boxes, triangles = tests.sum(axis=0, dtype=np.int64)
         self._boxes += int(boxes)
         self._triangles += int(triangles)
         self.box_tests, self.triangle_tests = self._boxes / rays, self._triangles / rays
@@ -273,17 +284,6 @@ def _rows(first: int, past: int, columns: int) -> list[tuple[int, int, int]]:
     return found
 
 
-def _wide(values: np.ndarray, block: int, most: int) -> np.ndarray:
-    """Repeat along a row, cut where the picture ends."""
-    return np.repeat(values, block, axis=0)[:most]
-
-
 def agreement(one: Mask, other: Mask) -> float:
     """Share of pixels on which two masks agree."""
     return float((one == other).mean()) if one.size else 1.0
-
-
-def mask_of(hits: Floats) -> Mask:
-    """(H, W) bool, where something is hit."""
-    with np.errstate(invalid="ignore"):
-        return np.asarray(hits[..., 3] < np.inf)

@@ -23,6 +23,9 @@ from grader.view.study import Study
 from grader.view.subject import of_file
 
 SIZE = (1440, 760)
+IDLE_FRAMES = 10.0
+"""A second, as long as nothing is traced and nobody moves anything."""
+
 USUAL_FONT = 15
 LEAST = 16
 """Pixels of a pane's side, however small the window is."""
@@ -136,10 +139,10 @@ class Window:
 
     def _is_busy(self, panes: Panes) -> bool:
         """Whether the next frame will show something else, though nobody touches anything."""
-        desk, stage = self.desk, self.desk.stage
-        tracing = stage is not None and not stage.traced.is_done and not stage.trouble
-        still = desk.is_loading or desk.is_building or self.study.is_busy
-        return bool(tracing or still or not panes.is_settled)
+        stage = self.desk.stage
+        tracing = stage is not None and stage.is_tracing
+        # While something is loaded or compiled, ten frames a second leave it the processor.
+        return bool(tracing or not panes.is_settled)
 
     def _keys(self, imgui: ModuleType) -> bool:
         act(imgui, self.study, self._reset)
@@ -222,6 +225,8 @@ def runner(window: Window, title: str) -> Any:  # noqa: ANN401 - ImGui's own
     params.app_window_params.window_title = title
     params.app_window_params.window_geometry.size = SIZE
     params.ini_disable = True
+    params.fps_idling.fps_idle = IDLE_FRAMES
+    params.fps_idling.time_active_after_last_event = 0.5
     params.callbacks.post_init = window.prepare
     params.callbacks.show_gui = window.frame
     return params

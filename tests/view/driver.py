@@ -16,11 +16,11 @@ from imgui_bundle.immapp import testing
 from grader.cli.progress import silent
 from grader.options import Options
 from grader.view.desk import Desk, Mode
-from grader.view.shades import BACKGROUND
+from grader.view.shades import BACKGROUND, is_hit
 from grader.view.stage import State
 from grader.view.study import Study
 from grader.view.subject import of_scene
-from grader.view.traced import agreement, mask_of
+from grader.view.traced import agreement
 from grader.view.window import Window, runner
 from tests.view import sources
 
@@ -63,7 +63,7 @@ class Hands:
             assert stage is not None
             assert self.left is not None
             drawn = (self.left != BACKGROUND).any(axis=2)
-            self.seen["agreement"] = agreement(drawn, mask_of(stage.traced.hits))
+            self.seen["agreement"] = agreement(drawn, is_hit(stage.traced.t))
         ctx.set_ref("Main window (title bar invisible)")
         for deed in deeds:
             self.seen[deed] = getattr(self, deed)(ctx)

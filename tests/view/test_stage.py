@@ -6,9 +6,9 @@ import pytest
 from grader.model.mesh import Mesh
 from grader.run.session import Engine
 from grader.view import traced as traced_module
-from grader.view.shades import differing
+from grader.view.shades import differing, is_hit
 from grader.view.stage import State
-from grader.view.traced import levels_of, mask_of
+from grader.view.traced import levels_of
 from tests.verify.builder import build
 from tests.view import sources
 from tests.view.conftest import Compiled, Staged
@@ -33,8 +33,8 @@ def test_a_picture_is_traced_from_coarse_to_fine(right: Engine, staged: Staged) 
     assert seen == sorted(seen, reverse=True)
     assert traced.seen.all()
     assert traced.fine.all()
-    assert mask_of(traced.hits).any()
-    assert traced.tests[mask_of(traced.hits)].min() > 0
+    assert is_hit(traced.t).any()
+    assert traced.tests[is_hit(traced.t)].min() > 0
     assert traced.box_tests > 0
     assert stage.tree is not None
     assert (stage.tree.end == build(subject.mesh).end[: len(stage.tree.end)]).all()
@@ -47,7 +47,7 @@ def test_every_pixel_is_painted(right: Engine, staged: Staged, size: tuple[int, 
     stage = staged(subject, right)
     stage.show(subject.home, *size)
     finished(stage)
-    assert stage.traced.hits.shape == (size[1], size[0], 7)
+    assert stage.traced.t.shape == (size[1], size[0])
     assert stage.traced.fine.all()
     assert levels_of(*size)[-1].rows == size[1]
 
@@ -64,7 +64,7 @@ def test_another_view_takes_the_place_of_the_first(right: Engine, staged: Staged
     finished(stage)
     finished(fresh)
     assert stage.traced.orbit == last
-    assert not differing(stage.traced.hits[..., 3], fresh.traced.hits[..., 3]).any()
+    assert not differing(stage.traced.t, fresh.traced.t).any()
 
 
 @pytest.mark.parametrize(
@@ -130,4 +130,4 @@ def test_an_empty_mesh_is_no_picture_and_no_fault(right: Engine, staged: Staged)
     stage.show(subject.home, 8, 8)
     finished(stage)
     assert not stage.trouble
-    assert not mask_of(stage.traced.hits).any()
+    assert not is_hit(stage.traced.t).any()
