@@ -5,6 +5,8 @@ from pathlib import Path
 
 import pytest
 
+# What imports the real pipeline has to do so before a test replaces it.
+import grader.batch.settings  # noqa: F401
 from tests.cli.calls import FILE, Pipeline
 
 
