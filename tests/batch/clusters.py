@@ -45,7 +45,7 @@ class Machines:
         self.address = json.loads(told.read_text())["address"]
 
     def hire(self, count: int = 1, **more: str) -> None:
-        """Start workers of one thread each, which a lost connection ends."""
+        """Start workers of one thread each."""
         for _ in range(count):
             scratch = ("--local-directory", str(self.folder))
             words = (self.address, "--nthreads", "1", "--no-nanny", *scratch)

@@ -250,6 +250,8 @@ def main() -> None:
     parser.add_argument("--into", type=Path, required=True)
     parser.add_argument("--runs", nargs="+", choices=RUNS, default=RUNS)
     given = parser.parse_args()
+    # Or a cluster would be left behind.
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit("terminated"))
     into: Path = given.into
     class_ = make_class(into / "class", given.students)
     runs = [measure(run, class_, into, given.students) for run in given.runs]
