@@ -1,7 +1,7 @@
 """What is there to see? How far each ratio is from its bound, and how costs grow."""
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from itertools import pairwise
 
 from grader.bench.drawing import Box, Dot, Drawing, Label, Line, Shape
@@ -15,7 +15,7 @@ FARTHEST = 2.0
 
 INK, FAINT, MET, MISSED = "#222222", "#cccccc", "#2a7f62", "#b5482f"
 COLOURS = ("#2a5ca8", "#2a7f62", "#b5482f", "#7a4fa3")
-PLOT_HEIGHT = 320
+PLOT_HEIGHT, NAME_HEIGHT = 320, 15
 
 
 def chart_of(table: Table) -> Drawing:
@@ -80,7 +80,21 @@ def _curves(sizes: Sequence[Size], top: float) -> Iterator[Shape]:
         for (x, y), (to_x, to_y) in pairwise(points):
             yield Line(x, y, to_x, to_y, colour, 2)
         yield from (Dot(x, y, 3, colour) for x, y in points)
-        yield Label(points[-1][0] + 10, points[-1][1], cost.what, colour)
+    yield from _names(sizes[-1], place)
+
+
+def _names(
+    largest: Size, place: Callable[[float, float], tuple[float, float]]
+) -> Iterator[Shape]:
+    """Write beside the last dots which cost they are, none over another."""
+    ends = [
+        (*place(largest.faces, max(1e-4, cost.of(largest))), cost.what, colour)
+        for colour, cost in zip(COLOURS, COSTS, strict=True)
+    ]
+    lowest = -math.inf
+    for x, y, what, colour in sorted(ends, key=lambda end: end[1]):
+        lowest = max(y, lowest + NAME_HEIGHT)
+        yield Label(x + 10, lowest, what, colour)
 
 
 def _decades(values: Sequence[float]) -> tuple[int, int]:

@@ -56,15 +56,16 @@ def made(effort: Effort, progress: Progress) -> Table:
     with scratch_folder() as folder:
         progress("building the solutions that are compared")
         libraries = build_libraries(folder / "libraries")
-        readings = tuple(_readings(effort, libraries, folder, progress))
+        readings = list(_readings(effort, libraries, folder, progress))
         sizes = tuple(_sizes(effort, libraries.clear, progress))
         peaks = _peaks(effort, folder, progress)
         progress("other ray tracers")
         peers = others.measured(folder)
+    numbered = sorted(readings, key=lambda each: each.goal.number)
     return Table(
         machine=_machine(),
         is_quick=effort is QUICK,
-        readings=readings,
+        readings=tuple(numbered),
         sizes=sizes,
         growths=scale.growths(sizes),
         peaks=peaks,

@@ -101,26 +101,29 @@ void transpose(std::array<Float4, 4>& m) {
 }
 
 bool areUsed(const std::vector<BVH::Node>& nodes, size_t first, size_t count) {
-    return first + count <= nodes.size() &&
-           std::all_of(&nodes[first], &nodes[first] + count,
-                       [](const BVH::Node& node) { return node.facesEnd != 0; });
+    return first + count <= nodes.size() && nodes[first].facesEnd != 0 &&
+           nodes[first + 1].facesEnd != 0 && nodes[first + count - 2].facesEnd != 0 &&
+           nodes[first + count - 1].facesEnd != 0;
 }
 
 /// A node is two registers; the tests want the same number of four nodes in one.
 struct Boxes4 {
     std::array<Float4, 4> front; // x, y, z of the lower corners, x of the upper ones
     std::array<Float4, 4> back;  // y, z of the upper corners, where the faces begin and end
-    /// Of 2 or 4 nodes from `first` on; two of them come twice.
-    Boxes4(const BVH::Node* first, size_t count) {
-        static_assert(sizeof(BVH::Node) == 2 * sizeof(Float4));
-        for (size_t i = 0; i < 4; ++i) {
-            std::array<Float4, 2> halves;
-            std::memcpy(&halves, first + (i & (count - 1)), sizeof halves);
-            front[i] = halves[0];
-            back[i] = halves[1];
-        }
+    /// Of 2 or 4 nodes; two come twice.
+    Boxes4(const BVH::Node* first, size_t count)
+        : front{half(first, 0), half(first + 1, 0), half(first + count - 2, 0),
+                half(first + count - 1, 0)},
+          back{half(first, 1), half(first + 1, 1), half(first + count - 2, 1),
+               half(first + count - 1, 1)} {
         transpose(front);
         transpose(back);
+    }
+
+    static Float4 half(const BVH::Node* node, size_t which) {
+        std::array<Float4, 2> halves;
+        std::memcpy(&halves, node, sizeof *node);
+        return halves[which];
     }
 };
 
@@ -151,7 +154,7 @@ struct Ray4 {
         clip(boxes.front[0], boxes.front[3], origin.x, inverse.x, near, far);
         clip(boxes.front[1], boxes.back[0], origin.y, inverse.y, near, far);
         clip(boxes.front[2], boxes.back[1], origin.z, inverse.z, near, far);
-        far += (far < 0 ? -far : far) * all(slabSlack);
+        far += (far < -far ? -far : far) * all(slabSlack);
         return lanesOf((near <= far) & (near < all(infinity)));
     }
 
@@ -277,12 +280,9 @@ Intersection intersect(const Mesh& mesh, const IntersectionRay& ray) {
             continue; // a hit that was found since is closer than the box
         }
         // Four grandchildren at once, past the children; near the leaves two children.
-        size_t count = 4;
-        size_t first = 4 * size_t{i} + 3;
-        if (!areUsed(nodes, first, count)) {
-            count = 2;
-            first = 2 * size_t{i} + 1;
-        }
+        const size_t child = 2 * size_t{i} + 1;
+        const size_t count = areUsed(nodes, 2 * child + 1, 4) ? 4 : 2;
+        const size_t first = count == 4 ? 2 * child + 1 : child;
         if (count == 4 || areUsed(nodes, first, count)) {
             Float4 nears;
             const uint32_t met = rest.meets(Boxes4(&nodes[first], count), nears);
