@@ -82,8 +82,8 @@ def _costs(table: Table) -> Iterator[str]:
     yield "## Cost by number of faces\n"
     yield (
         "The clear solution on a generated landscape: CPU seconds of one `construct`, of all\n"
-        f"checks of its tree, and of {RAYS:,} scattered rays; `grade` is the time on the clock\n"
-        "of a worker for the tree, the checks, and a worker for the rays.\n"
+        f"checks of its tree, and of {RAYS:,} scattered rays; `grade` is the time on the\n"
+        "clock of a worker for the tree, the checks, and a worker for the rays.\n"
     )
     yield "| faces | construct | check | rays | grade |\n|---:|---:|---:|---:|---:|"
     for size in table.sizes:
