@@ -20,8 +20,8 @@ much of each):
 
 By hand, the graded library and one process for all plain trials take 1.0 + 1.3 s. What a grade
 cannot do without are the sanitized builds, and a process for each trial, so that one that
-crashes costs only itself: 0.9 + 3.0 + 3.0 s, half of that on the clock of two cores. The rest is
-the distance from the floor. Of it were removed:
+crashes costs only itself: 0.9 + 3.0 + 3.0 s, half of that on the clock of two cores. The rest
+is the distance from the floor. Of it were removed:
 
 - a file that was compiled before is not compiled again (`grader/build/remembered.py`);
 - pictures are shaded and encoded two at a time, beside the worker that traces their shadows;
