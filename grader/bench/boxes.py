@@ -92,5 +92,7 @@ def _mean(most: Cost, least: Cost, times: int) -> Cost:
 
 
 def _construct(job: Job, slot: int, times: int) -> None:
-    for _ in range(times):
-        job.do(Op.CONSTRUCT, slot, slot)
+    """Build the mesh's own tree, and others beside it: each in memory that is fresh."""
+    job.do(Op.CONSTRUCT, slot, slot)
+    for _ in range(times - 1):
+        job.do(Op.CONSTRUCT, job.make(Op.TREE), slot)
