@@ -22,7 +22,6 @@ from grader.sandbox.nursery import Nursery
 from grader.selection import select
 from grader.verify.engine import Examiner
 
-
 AGAIN = 4
 """How often rays are traced, so that building the tree before hides nothing."""
 
