@@ -8,8 +8,8 @@ from grader import resources
 from grader.build.compiler import find_compiler
 
 WITHOUT_VERDICT = (
-    *("batch", "certify", "cli", "counterexample", "diagnose", "gallery", "gradebook"),
-    *("locale", "package", "report", "similar", "__pycache__"),
+    *("batch", "bench", "certify", "cli", "counterexample", "diagnose", "gallery", "gradebook"),
+    *("locale", "package", "report", "similar", "view", "__pycache__"),
 )
 """Folders of the package that decide nothing."""
 
@@ -17,7 +17,8 @@ WITHOUT_SIZES = tuple(each for each in WITHOUT_VERDICT if each != "counterexampl
 """Folders that do not decide how small a counterexample is either."""
 
 WITHOUT_RESULT = (
-    *("batch", "certify", "cli", "gradebook", "package", "similar", "__pycache__"),
+    *("batch", "bench", "certify", "cli", "gradebook", "package", "similar", "view"),
+    "__pycache__",
 )
 """Folders of which nothing is in a stored result."""
 
