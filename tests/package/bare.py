@@ -1,6 +1,7 @@
 """A bare Debian, as a host's container is one; nothing in it has privileges or a network."""
 
 import os
+import platform
 import re
 import shutil
 import subprocess
@@ -22,8 +23,9 @@ def bare_debian(folder: Path) -> Path:
     """Build the root file system by debootstrap, from where this machine gets its packages."""
     root = folder / "root"
     command = ["debootstrap", "--variant=minbase", f"--include={','.join(INSTALLED)}"]
+    suite = platform.freedesktop_os_release()["VERSION_CODENAME"]
     built = subprocess.run(
-        [*as_root(), *command, "bookworm", str(root), mirror()],
+        [*as_root(), *command, suite, str(root), mirror(suite)],
         capture_output=True,
         text=True,
         check=False,
@@ -37,15 +39,15 @@ def as_root() -> list[str]:
     return [] if os.geteuid() == 0 else ["sudo", "-n"]
 
 
-def mirror() -> str:
-    """Say where this machine gets Debian's packages from."""
+def mirror(suite: str) -> str:
+    """Say where this machine gets the packages of its own release from."""
     told = subprocess.run(
         ["apt-get", "indextargets", "--format", "$(SITE) $(CODENAME)"],
         capture_output=True,
         text=True,
         check=True,
     ).stdout
-    sites = re.findall(r"^(\S+) bookworm$", told, re.MULTILINE)
+    sites = re.findall(rf"^(\S+) {suite}$", told, re.MULTILINE)
     return str(sites[0])
 
 
