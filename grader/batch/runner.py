@@ -105,7 +105,8 @@ class Batch:
         return select(self.job.wish.rubric, ()).rubric.limits.source_kib << 10
 
     def grade(self) -> None:
-        """Grade every file that has no result yet."""
+        """Grade every file that has no result yet, or one without a score."""
+        self.store.forget_withheld(self.job.settings)
         self.watch.grading(sum(1 for _ in self.store.ungraded(self.job.settings)))
         waiting = self.store.ungraded(self.job.settings)
         limits = select(self.job.wish.rubric, ()).rubric.limits

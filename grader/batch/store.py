@@ -3,9 +3,9 @@
 Theory of operation. A submission is written down before it is graded, with its bytes, and its
 result in one transaction when it comes; with a write-ahead log on disk before that is called
 done. So whatever ends the process costs only what was being graded. A result belongs to bytes
-and settings, not to a student: the same bytes are graded once. Results are never changed or
-removed; `current` says which settings' results are those of the class. A lock that the kernel
-drops with the process keeps a second batch away.
+and settings, not to a student: the same bytes are graded once. Results are never changed, and
+none is removed that has a score; `current` says which settings' results are those of the class.
+A lock that the kernel drops with the process keeps a second batch away.
 """
 
 import sqlite3
@@ -125,6 +125,20 @@ class Store:
                 "INSERT INTO attachment VALUES (?, ?, ?, ?) ON CONFLICT DO NOTHING",
                 [(sha256, settings.digest, name, text) for name, text in result.attachments],
             )
+
+    def forget_withheld(self, settings: Settings) -> None:
+        """Drop the results whose score was withheld, so that these files are graded again.
+
+        Nothing of a student's is lost: such a result says that the grader failed.
+        """
+        withheld = (
+            "settings = ? AND sha256 IN (SELECT sha256 FROM result WHERE settings = ? "
+            "AND json_extract(text, '$.score') IS NULL)"
+        )
+        chosen = (settings.digest, settings.digest)
+        with self.changes():
+            for table in ("attachment", "result"):
+                self._base.execute(f"DELETE FROM {table} WHERE {withheld}", chosen)  # noqa: S608 - our own words
 
     def result(self, sha256: str, settings: Settings) -> Result | None:
         """The result of these bytes, if they were graded."""

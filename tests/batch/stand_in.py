@@ -1,7 +1,7 @@
 """Stands in for the pipeline: what a clerk does with a submission is what its text says.
 
-`die` ends the clerk; `raise` is a fault of ours; `wait` never ends; `die once` and `wait once`
-do so only the first time; `wrong` loses points, `moody` with another seed; anything else is a
+`die` ends the clerk; `raise` is a fault of ours; `wait` never ends; `die once`, `wait once` and
+`withheld once` (a grade without a score) do so only the first time; `wrong` loses points, `moody` with another seed; anything else is a
 perfect grade. As a program it grades a class so, in a whole process.
 """
 
@@ -53,6 +53,8 @@ def graded(order: Order, tell: Callable[[str], None]) -> Result | Failed:
         return Failed("no more [bold]file descriptors")
     while text == "wait" or (text == "wait once" and text not in before):
         time.sleep(1)
+    if text == "withheld once" and text not in before:
+        return kept(replace(samples.broken(), submission=order.submission))
     loses = text == "wrong" or (text == "moody" and order.wish.seed != SETTINGS.seed)
     sample = samples.failing() if loses else samples.perfect()
     given = order.settings

@@ -71,6 +71,18 @@ def test_the_same_bytes_are_graded_once(tmp_path: Path, log: Path) -> None:
     assert names == ["ada", "bob", "cy"]
 
 
+def test_a_withheld_score_is_tried_again(tmp_path: Path, log: Path) -> None:
+    """By the same command: the grader failed, so nothing was concluded."""
+    path = folder_of(tmp_path, "class", {"ada.cpp": "withheld once", "bob.cpp": CODE})
+    totals, _ = grade(path, job(tmp_path / "out"))
+    assert (totals.graded, totals.withheld) == (1, 1)
+    assert points(tmp_path / "out") == {"ada": None, "bob": 50}
+    totals, _ = grade(path, job(tmp_path / "out"))
+    assert (totals.graded, totals.withheld) == (2, 0)
+    assert points(tmp_path / "out") == {"ada": 50, "bob": 50}
+    assert begun(log).count(CODE.strip()) == 1
+
+
 def test_a_changed_file_is_graded_again(tmp_path: Path, log: Path) -> None:
     """A second download, with a newer file of somebody."""
     path = folder_of(tmp_path, "class", {"ada.cpp": "wrong", "bob.cpp": CODE})
