@@ -1,8 +1,9 @@
 """Stands in for the pipeline: what a clerk does with a submission is what its text says.
 
 `die` ends the clerk; `raise` is a fault of ours; `wait` never ends; `die once`, `wait once` and
-`withheld once` (a grade without a score) do so only the first time; `wrong` loses points, `moody` with another seed; anything else is a
-perfect grade. As a program it grades a class so, in a whole process.
+`withheld once` (a grade without a score) do so only the first time; `wrong` loses points,
+`moody` with another seed; anything else is a perfect grade. As a program it grades a class so,
+in a whole process.
 """
 
 import os
