@@ -24,6 +24,10 @@ SETTLED_SECONDS = 0.3
 """After the last move of the camera the whole mesh is drawn."""
 
 
+FIRST_ROWS_SECONDS = 0.012
+"""How long a frame waits for the first rows of a new view."""
+
+
 class Panes:
     """Both panes, in the OpenGL of a window."""
 
@@ -48,14 +52,27 @@ class Panes:
 
         self.shown: Shown | None = None
         self.preview_seconds = 0.0
+        self.waited: list[float] = []
+        """Seconds from each move of the camera to the first new rows."""
 
-    def look(self, orbit: Orbit) -> bool:
-        """Move the camera; tells whether it is another one."""
+        self._waits = False
+
+    def look(self, orbit: Orbit) -> None:
+        """Move the camera."""
         if orbit == self._desk.orbit:
-            return False
-        self._moved = time.monotonic()
+            return
+        self._moved, self._waits = time.monotonic(), True
         self._desk.look(orbit)
-        return True
+
+    def advance(self) -> None:
+        """Look how far everything is."""
+        self.is_stale |= self._desk.advance()
+        stage = self._desk.stage
+        if self._waits and stage is not None:
+            traced = stage.traced
+            if traced.orbit == self._desk.orbit and traced.share > 0:
+                self.waited.append(time.monotonic() - self._moved)
+                self._waits = False
 
     def load(self) -> None:
         """Give the graphics card what is new."""
@@ -77,8 +94,8 @@ class Panes:
         """Whether the whole mesh is drawn."""
         return time.monotonic() - self._moved >= SETTLED_SECONDS
 
-    def left(self, imgui: ModuleType, size: tuple[int, int]) -> bool:
-        """Draw the preview; tells whether the camera was moved."""
+    def left(self, imgui: ModuleType, size: tuple[int, int]) -> None:
+        """Draw the preview."""
         desk, preview = self._desk, self._preview
         moving, level = not self.is_settled, min(desk.level, desk.deepest)
         wanted = (desk.orbit, size, level, desk.only, moving)
@@ -94,13 +111,18 @@ class Panes:
         _image(imgui, preview.texture, size, upright=False)
         if is_clicked(imgui):
             self._study.pick(_pixel(imgui, corner, size))
-        moved = self._steered(imgui, size)
+        self._steered(imgui, size)
         if desk.orbit is not None:
             self._strokes(imgui, corner, size, desk.orbit)
-        return moved
 
-    def right(self, imgui: ModuleType, size: tuple[int, int]) -> bool:
-        """Draw what is traced; tells whether the camera was moved."""
+    def right(self, imgui: ModuleType, size: tuple[int, int]) -> None:
+        """Draw what is traced."""
+        # A moment for the first rows of a new view, so that they are in this very frame.
+        end = time.monotonic() + FIRST_ROWS_SECONDS
+        self.advance()
+        while self._waits and self._desk.stage is not None and time.monotonic() < end:
+            time.sleep(0.001)
+            self.advance()
         if self.is_stale or self._mode is not self._desk.mode:
             self.is_stale, self._mode = False, self._desk.mode
             self.shown = shown(self._desk)
@@ -110,13 +132,12 @@ class Panes:
         _image(imgui, self._right if self.shown else None, size, upright=True)
         if is_clicked(imgui):
             self._study.follow(_pixel(imgui, corner, size))
-        return self._steered(imgui, size)
+        self._steered(imgui, size)
 
-    def _steered(self, imgui: ModuleType, size: tuple[int, int]) -> bool:
+    def _steered(self, imgui: ModuleType, size: tuple[int, int]) -> None:
         orbit = self._desk.orbit
-        if orbit is None or not imgui.is_item_hovered():
-            return False
-        return self.look(dragged(imgui, orbit, size[1]))
+        if orbit is not None and imgui.is_item_hovered():
+            self.look(dragged(imgui, orbit, size[1]))
 
     def _strokes(
         self,

@@ -23,6 +23,9 @@ BLOCKS = (16, 4, 1)
 ROW_SECONDS = 0.008
 """How long one batch should take: a new view waits for so long at most."""
 
+BATCH_PATIENCE = 2 * ROW_SECONDS
+"""How long a new picture waits for the batch of the last one."""
+
 AHEAD_SECONDS = 0.25
 """How much is asked for beforehand: so long nobody may have looked."""
 
@@ -146,6 +149,11 @@ class Traced:
         """Want another picture; the one before is dropped."""
         self._wanted = orbit, width, height
         self._live.turn()
+        # The batch that is being traced ends soon; then the new picture can begin at once, also
+        # for somebody who looks only now and then and goes on turning.
+        end = time.monotonic() + BATCH_PATIENCE
+        while self._live.is_ready and self._live.is_busy and time.monotonic() < end:
+            time.sleep(0.001)
         self.advance()
 
     def advance(self) -> bool:

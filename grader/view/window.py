@@ -48,13 +48,9 @@ class Window:
         self.panes: Panes | None = None
         """None until there is a window."""
 
-        self.waited: list[float] = []
-        """Seconds from each move of the camera to the first new rows."""
-
         self.frames = 0
         self._scenes = list(scenes)
         self._context: Any = None
-        self._waiting: float | None = None
         self._dropped: list[str] = []
 
     def prepare(self) -> None:
@@ -78,17 +74,15 @@ class Window:
         self._bar(imgui)
         size = _pane_size(imgui)
         self.desk.resize(*size)
-        moved = panes.left(imgui, size)
+        panes.left(imgui, size)
         imgui.same_line()
-        moved |= panes.right(imgui, size)
+        panes.right(imgui, size)
         imgui.same_line()
         if imgui.begin_child("##panel", (0, size[1])):
             self.panel.draw(imgui, panes.shown)
         imgui.end_child()
         if not imgui.get_io().want_text_input:
-            moved |= self._keys(imgui)
-        if moved:
-            self._waiting = time.monotonic()
+            self._keys(imgui, panes)
         imgui.text_unformatted(self.status())
         idle = not self._is_busy(panes)
         hello_imgui.get_runner_params().fps_idling.enable_idling = idle
@@ -101,8 +95,8 @@ class Window:
 
     def look(self, orbit: Orbit) -> None:
         """Move the camera."""
-        if self.panes is not None and self.panes.look(orbit):
-            self._waiting = time.monotonic()
+        if self.panes is not None:
+            self.panes.look(orbit)
 
     def open(self, path: Path) -> None:
         """Show a mesh or a counterexample from a file."""
@@ -128,14 +122,8 @@ class Window:
         for name in self._dropped[-1:]:
             self.open(Path(name))
         self._dropped.clear()
-        changed = self.desk.advance()
+        panes.advance()
         self.study.advance()
-        panes.is_stale |= changed
-        stage = self.desk.stage
-        shown = stage is not None and stage.traced.orbit == self.desk.orbit
-        if self._waiting is not None and changed and shown:
-            self.waited.append(time.monotonic() - self._waiting)
-            self._waiting = None
 
     def _is_busy(self, panes: Panes) -> bool:
         """Whether the next frame will show something else, though nobody touches anything."""
@@ -144,14 +132,10 @@ class Window:
         # While something is loaded or compiled, ten frames a second leave it the processor.
         return bool(tracing or not panes.is_settled)
 
-    def _keys(self, imgui: ModuleType) -> bool:
+    def _keys(self, imgui: ModuleType, panes: Panes) -> None:
         act(imgui, self.study, self._reset)
-        orbit = self.desk.orbit
-        return (
-            orbit is not None
-            and self.panes is not None
-            and self.panes.look(pressed(imgui, orbit))
-        )
+        if self.desk.orbit is not None:
+            panes.look(pressed(imgui, self.desk.orbit))
 
     def _reset(self) -> None:
         if self.desk.subject is not None:

@@ -78,8 +78,11 @@ class Hands:
             at = imgui.get_io().mouse_pos
             ctx.mouse_move_to_pos((at.x + 20, at.y + 6))
         ctx.mouse_up(0)
-        self.wait(ctx, lambda: bool(window.waited))
-        return {"turned": window.desk.orbit != before, "waited": window.waited}
+        self.wait(ctx, lambda: bool(window.panes and window.panes.waited))
+        return {
+            "turned": window.desk.orbit != before,
+            "waited": window.panes.waited if window.panes else [],
+        }
 
     def slider(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401
         """Move the slider of levels."""

@@ -75,7 +75,8 @@ def main(scene: str) -> None:
         immapp.run(params)
         study.close()
     lines = [f"{what:<12} {seconds:7.2f} s" for what, seconds in watch.first.items()]
-    gaps, waited = np.diff(watch.frames), 1000 * np.array(window.waited or [np.nan])
+    assert window.panes is not None
+    gaps, waited = np.diff(watch.frames), 1000 * np.array(window.panes.waited)
     lines.append(f"while it turns {1 / np.median(gaps):.1f} frames a second (median)")
     lines.append(
         f"first new rows after {np.median(waited):.0f} ms (median), {waited.max():.0f} ms "
