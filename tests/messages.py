@@ -35,8 +35,9 @@ def messages() -> list[str]:
 
 
 def written_in_code() -> Iterator[str]:
-    """Find the texts that the reports write."""
-    for path in sorted((ROOT / "grader" / "report").rglob("*.py")):
+    """Find the texts that the reports and the viewer write."""
+    folders = (ROOT / "grader" / name for name in ("report", "view"))
+    for path in (path for folder in folders for path in sorted(folder.rglob("*.py"))):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             if (
                 isinstance(node, ast.Call)

@@ -40,7 +40,7 @@ def opening(wish: Wish, web: bool, picture: Path | None) -> None:
     """
     first = wanted(wish)
     with Desk(wish.path, wish.options, first) as desk:
-        study = Study(desk)
+        study = Study(desk, wish.words)
         try:
             _shown(wish, study, desk, web, picture)
         finally:

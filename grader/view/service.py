@@ -89,12 +89,12 @@ class Service:
 
     def state(self) -> Json:
         """Say how everything is."""
-        desk, study = self._desk, self._study
+        desk, study, words = self._desk, self._study, self._words
         traced = desk.stage.traced if desk.stage else None
         cost = ""
         seen = self._shown
         if seen is not None and seen.scale and traced is not None:
-            text = self._words("tests a ray; mean {boxes} of boxes, {triangles} of faces")
+            text = words("tests a ray; mean {boxes} of boxes, {triangles} of faces")
             cost = text.format(
                 boxes=f"{traced.box_tests:.1f}", triangles=f"{traced.triangle_tests:.1f}"
             )

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from grader.language import Words
 from grader.model.mesh import Bvh
 from grader.model.trials import Trial
 from grader.run.transfer import ray_table
@@ -34,9 +35,14 @@ class _Asked:
 class Study:
     """A selected node and a selected ray of what is on a desk."""
 
-    def __init__(self, desk: Desk) -> None:
-        """Select nothing."""
-        self._desk = desk
+    def __init__(self, desk: Desk, words: Words = str) -> None:
+        """Select nothing.
+
+        Args:
+            desk: What is shown.
+            words: Translates our own texts.
+        """
+        self._desk, self.words = desk, words
         self._aside = ThreadPoolExecutor(1)
         self._stage: Stage | None = None
         self._judging: Future[Judgement] | None = None
@@ -103,7 +109,7 @@ class Study:
             return
         node = next_of(self.judgement.every, self.facts.node if self.facts else -1)
         if node < 0:
-            self.remark = "no node is wrong"
+            self.remark = self.words("no node is wrong")
             return
         self.select(node)
         if self.facts is not None:
@@ -119,7 +125,10 @@ class Study:
         row = min(max(pixel[1], 0), height - 1)
         ray = rays_of(desk.orbit, width, height, np.array([row * width + column]))[0]
         self.pixel = column, row
-        self._ask(Followed(ray, f"pixel ({column}, {row})"), failing=False)
+        self._ask(
+            Followed(ray, self.words("pixel ({column}, {row})").format(column=column, row=row)),
+            failing=False,
+        )
 
     def next_ray(self) -> None:
         """Follow the next ray whose result is wrong."""
@@ -138,7 +147,7 @@ class Study:
         column, row = self.pixel
         place = next_of(wrong, row * desk.size[0] + column if column >= 0 else -1)
         if place < 0:
-            self.remark = "no pixel differs so far"
+            self.remark = self.words("no pixel differs so far")
             return
         self.follow((place % desk.size[0], place // desk.size[0]))
 
@@ -215,10 +224,15 @@ class Study:
         table = ray_table(stage.subject.rays)
         if index >= len(table):
             self._index = -1
-            self.remark = "no further ray is wrong"
+            self.remark = self.words("no further ray is wrong")
             return False
         self._index, self.pixel = index, (-1, -1)
-        self._ask(Followed(table[index], f"ray {index}", self._trial, index), failing)
+        self._ask(
+            Followed(
+                table[index], self.words("ray {index}").format(index=index), self._trial, index
+            ),
+            failing,
+        )
         return True
 
     def _ask(self, of: Followed, failing: bool) -> None:

@@ -189,8 +189,10 @@ def _hear_drops(take: Callable[[list[str]], None]) -> None:
     import glfw
     from imgui_bundle.glfw_utils import glfw_window_hello_imgui
 
-    window = glfw_window_hello_imgui()  # type: ignore[no-untyped-call]  # as it comes
-    glfw.set_drop_callback(window, lambda _, names: take(list(names)))
+    def dropped(_: Any, names: Any) -> None:  # noqa: ANN401 - GLFW's own
+        take([str(name) for name in names])
+
+    glfw.set_drop_callback(glfw_window_hello_imgui(), dropped)
 
 
 def runner(window: Window, title: str) -> Any:  # noqa: ANN401 - ImGui's own

@@ -32,6 +32,7 @@ class Watch:
         self._window = window
         self.first: dict[str, float] = {}
         self.frames: list[float] = []
+        self.used: list[float] = []
         self._turned = 0
 
     def frame(self) -> None:
@@ -50,6 +51,7 @@ class Watch:
         self._note("picture", done)
         if "picture" in self.first and self._turned < TURNS and desk.orbit is not None:
             self.frames.append(time.monotonic())
+            self.used.append(time.process_time())
             self._turned += 1
             window.look(desk.orbit.turned(0.02, 0.0))
         elif self._turned == TURNS:
@@ -78,6 +80,8 @@ def main(scene: str) -> None:
     assert window.panes is not None
     gaps, waited = np.diff(watch.frames), 1000 * np.array(window.panes.waited)
     lines.append(f"while it turns {1 / np.median(gaps):.1f} frames a second (median)")
+    cost = 1000 * np.median(np.diff(watch.used))
+    lines.append(f"{cost:.0f} ms of CPU time a frame while it turns (median)")
     lines.append(
         f"first new rows after {np.median(waited):.0f} ms (median), {waited.max():.0f} ms "
         f"(most), {len(waited)} moves"
