@@ -73,9 +73,7 @@ class _Case:
     """Number of the copy on this machine, once it is ready."""
 
     delayed: float = 0.0
-    enough: bool = False
-    """Whether somebody wants it to end."""
-
+    enough: bool = False  # somebody wants it to end
     stopped: bool = False
     """Whether its time was over."""
 
@@ -258,10 +256,9 @@ class KeptBox:
 
 def _is_over(source: Stream | _Case) -> bool:
     """Read a pipe, or take note that a case is to end; whether there is no more to come."""
-    if isinstance(source, Stream):
-        return source.drain() == 0
-    source.enough = True
-    return True
+    if isinstance(source, _Case):
+        source.enough = True
+    return isinstance(source, _Case) or source.drain() == 0
 
 
 def _order(target: Target, box: Box, entry: Path, isolation: Isolation, control: int) -> Order:

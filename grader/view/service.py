@@ -19,8 +19,9 @@ from grader.model.views import Model, ShownRay
 from grader.plain import one_line
 from grader.report.views import model_json, ray_json
 from grader.verify.check import vector
+from grader.view.asked import FARTHEST, mode, number, numbers, within
 from grader.view.camera import Orbit, frame_of
-from grader.view.desk import Desk, Mode
+from grader.view.desk import Desk
 from grader.view.inspector import MOST_FACES, NodeFacts
 from grader.view.picture import Shown, shown
 from grader.view.status import status
@@ -35,7 +36,6 @@ FOV = float(2 * np.degrees(np.arctan(1 / 2.2)))
 PAUSE_SECONDS = 0.004
 LARGEST_SIDE = 1024
 MOST_FACES_SENT = 60_000
-FARTHEST = 1e4
 
 
 class Service:
@@ -151,8 +151,8 @@ class Service:
         desk = self._desk
         if desk.subject is None:
             return
-        yaw, pitch, far = (_number(given, name, FARTHEST) for name in ("yaw", "pitch", "far"))
-        at, size = _numbers(given, "at", 3), _numbers(given, "size", 2)
+        yaw, pitch, far = (number(given, name, FARTHEST) for name in ("yaw", "pitch", "far"))
+        at, size = numbers(given, "at", 3), numbers(given, "size", 2)
         width, height = (int(min(max(side, 16), LARGEST_SIDE)) for side in size)
         middle, scale = _cube(self._light(desk.subject.mesh))
         target = np.array(at) / scale + middle
@@ -180,18 +180,18 @@ class Service:
         if what in ("next-node", "next-ray"):
             study.next_node() if what == "next-node" else study.next_ray()
         elif what == "node":
-            study.select(int(_number(given, "node", 2**31)))
+            study.select(int(number(given, "node", 2**31)))
         elif what == "step":
-            study.walk_to(int(_number(given, "step", 2**31)))
+            study.walk_to(int(number(given, "step", 2**31)))
         elif what in ("pick", "follow"):
-            x, y = _numbers(given, "at", 2)
+            x, y = numbers(given, "at", 2)
             pixel = int(x * desk.size[0]), int(y * desk.size[1])
-            study.pick(_within(pixel, desk.size)) if what == "pick" else study.follow(pixel)
+            study.pick(within(pixel, desk.size)) if what == "pick" else study.follow(pixel)
         elif what == "level":
-            desk.level = int(min(max(_number(given, "level", 64), -1), 20))
+            desk.level = int(min(max(number(given, "level", 64), -1), 20))
             desk.only = given.get("only") is True
         elif what == "mode":
-            desk.compare(_mode(given.get("mode")))
+            desk.compare(mode(given.get("mode")))
             self._stale = True
         elif what == "scene":
             desk.choose_scene(str(given.get("scene")))
@@ -289,29 +289,3 @@ def _cube(mesh: Mesh) -> tuple[np.ndarray, float]:
         return np.zeros(3), 2.0
     low, high = points.min(axis=0), points.max(axis=0)
     return (low + high) / 2, 2 / (float((high - low).max()) or 1.0)
-
-
-def _mode(name: object) -> Mode:
-    for mode in Mode:
-        if mode.value == name:
-            return mode
-    raise UsageError("there is no such picture")
-
-
-def _within(pixel: tuple[int, int], size: tuple[int, int]) -> tuple[int, int]:
-    column, row = (min(max(at, 0), most - 1) for at, most in zip(pixel, size, strict=True))
-    return column, row
-
-
-def _number(given: Mapping[str, Any], name: str, most: float) -> float:
-    value = given.get(name)
-    if isinstance(value, bool) or not isinstance(value, int | float) or not abs(value) <= most:
-        raise UsageError(f"{name} must be a number")
-    return float(value)
-
-
-def _numbers(given: Mapping[str, Any], name: str, count: int) -> list[float]:
-    values = given.get(name)
-    if not isinstance(values, list) or len(values) != count:
-        raise UsageError(f"{name} must be {count} numbers")
-    return [_number({name: value}, name, FARTHEST) for value in values]
