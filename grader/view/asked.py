@@ -1,4 +1,4 @@
-"""How are the values of a page's question read? Strictly: any page of the browser may send one."""
+"""How are the values of a page's question read? Strictly: anybody's page may send one."""
 
 from collections.abc import Mapping
 from typing import Any

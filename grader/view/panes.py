@@ -23,6 +23,9 @@ if TYPE_CHECKING:
 SETTLED_SECONDS = 0.3
 """After the last move of the camera the whole mesh is drawn."""
 
+SETTLED_FRAMES = 3
+"""Without a move, for a machine on which one frame takes longer than that."""
+
 
 FIRST_ROWS_SECONDS = 0.012
 """How long a frame waits for the first rows of a new view."""
@@ -45,7 +48,7 @@ class Panes:
         self._drawn: object = None
         self._subjects = -1
         self._tree: object = None
-        self._moved = 0.0
+        self._moved, self._still = 0.0, SETTLED_FRAMES
         self._mode = desk.mode
         self.is_stale = True
         """Whether something else is traced than is shown."""
@@ -61,7 +64,7 @@ class Panes:
         """Move the camera."""
         if orbit == self._desk.orbit:
             return
-        self._moved, self._waits = time.monotonic(), True
+        self._moved, self._still, self._waits = time.monotonic(), 0, True
         self._desk.look(orbit)
 
     def advance(self) -> None:
@@ -92,11 +95,13 @@ class Panes:
     @property
     def is_settled(self) -> bool:
         """Whether the whole mesh is drawn."""
-        return time.monotonic() - self._moved >= SETTLED_SECONDS
+        late = time.monotonic() - self._moved >= SETTLED_SECONDS
+        return late and self._still >= SETTLED_FRAMES
 
     def left(self, imgui: ModuleType, size: tuple[int, int]) -> None:
         """Draw the preview."""
         desk, preview = self._desk, self._preview
+        self._still += 1
         moving, level = not self.is_settled, min(desk.level, desk.deepest)
         wanted = (desk.orbit, size, level, desk.only, moving)
         if desk.orbit is not None and wanted != self._drawn:
