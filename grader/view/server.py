@@ -109,7 +109,7 @@ class _Handler(BaseHTTPRequestHandler):
     protocol_version = "HTTP/1.1"
     server_version, sys_version = "bvhgrade", ""
 
-    def __init__(self, service: Service, text: str, token: str, *given: Any) -> None:  # noqa: ANN401
+    def __init__(self, service: Service, text: str, token: str, *given: Any) -> None:  # noqa: ANN401 - the library's
         self._service, self._text, self._token = service, text, token
         super().__init__(*given)
 
