@@ -27,9 +27,10 @@ REASONS: dict[str, str] = {
     "6b": (
         "Embree's nodes hold the boxes of their children axis by axis, its leaves copies of "
         "the corners. In the sheet's layout four boxes have to be turned over by 16 shuffles, "
-        "and corners lie behind two indices. A table of corners beside the tree made a "
-        "prototype half as fast again (0.6 of Embree), but `intersect` has to believe the "
-        "tree that it is given, which in a grade is another one than `construct` made."
+        "and corners lie behind two indices. A prototype with a table of corners beside the "
+        "tree came to 0.6, but `intersect` has to believe the tree that it is given, which in "
+        "a grade is another one than `construct` made. How much of the rest is this solution's "
+        "own was not found out."
     ),
     "6c": "as for camera rays.",
     "8": "what the machine does besides, and the start of the clerks.",

@@ -113,7 +113,8 @@ def _peaks(effort: Effort, folder: Path, progress: Progress) -> tuple[Peak, ...]
 
 
 def _missing() -> list[str]:
-    return [f"{name} is not installed" for name in PEERS if find_spec(name) is None]
+    missing = [f"{name} is not installed" for name in PEERS if find_spec(name) is None]
+    return [*missing, "tinybvh and madmann91/bvh have no package"]
 
 
 def _machine() -> str:
