@@ -109,7 +109,7 @@ class _Handler(BaseHTTPRequestHandler):
     protocol_version = "HTTP/1.1"
     server_version, sys_version = "bvhgrade", ""
 
-    def __init__(self, service: Service, text: str, token: str, *given: Any) -> None:  # noqa: ANN401 - the library's
+    def __init__(self, service: Service, text: str, token: str, *given: Any) -> None:  # noqa: ANN401 - http.server's own
         self._service, self._text, self._token = service, text, token
         super().__init__(*given)
 
@@ -152,6 +152,10 @@ class _Handler(BaseHTTPRequestHandler):
         name = (self.headers.get("Host") or "").rpartition(":")[0]
         if name not in NAMES:
             self._refuse(403)
+            return None
+        if self.path == "/favicon.ico":
+            # Browsers ask by themselves.
+            self._refuse(204)
             return None
         first, _, rest = urlsplit(self.path).path.lstrip("/").partition("/")
         if not secrets.compare_digest(first.encode(), self._token.encode()):

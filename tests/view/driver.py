@@ -68,7 +68,7 @@ class Hands:
         for deed in deeds:
             self.seen[deed] = getattr(self, deed)(ctx)
 
-    def drag(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401
+    def drag(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401 - ImGui's own
         """Drag over the left pane."""
         window = self.window
         before = window.desk.orbit
@@ -84,13 +84,13 @@ class Hands:
             "waited": window.panes.waited if window.panes else [],
         }
 
-    def slider(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401
+    def slider(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401 - ImGui's own
         """Move the slider of levels."""
         before = self.window.desk.level
         ctx.item_input_value("###level", 2)
         return {"before": before, "level": self.window.desk.level}
 
-    def heat(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401
+    def heat(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401 - ImGui's own
         """Switch to the heatmap and back."""
         ctx.item_click("###cost")
         panes = self.window.panes
@@ -101,14 +101,14 @@ class Hands:
         ctx.item_click("###cost")
         return {"scale": scale, "back": self.window.desk.mode is Mode.SHADED}
 
-    def keys(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401
+    def keys(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401 - ImGui's own
         """Turn by the keyboard."""
         before = self.window.desk.orbit
         ctx.key_press(imgui.Key.w)
         ctx.yield_(2)
         return {"turned": self.window.desk.orbit != before}
 
-    def click(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401
+    def click(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401 - ImGui's own
         """Click a pixel on the right, then a box on the left."""
         window, study = self.window, self.window.study
         self.wait(ctx, self.is_traced)
@@ -123,13 +123,13 @@ class Hands:
         assert study.facts is not None
         return {"steps": len(study.walk.steps), "node": study.facts.node}
 
-    def save(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401
+    def save(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401 - ImGui's own
         """Save a picture."""
         ctx.item_click("###save")
         ctx.yield_(2)
         return {"files": len(list(Path().glob("bvhgrade-*.png")))}
 
-    def combo(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401
+    def combo(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401 - ImGui's own
         """Choose another scene."""
         ctx.combo_click("###scene/nested")
         desk = self.window.desk
@@ -137,7 +137,7 @@ class Hands:
         self.wait(ctx, self.is_traced)
         return {"subject": desk.subject.name if desk.subject else ""}
 
-    def trouble(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401
+    def trouble(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401 - ImGui's own
         """Wait until the submission ended."""
         desk = self.window.desk
         self.wait(ctx, lambda: desk.stage is not None and bool(desk.stage.trouble))
@@ -145,14 +145,14 @@ class Hands:
         self.wait(ctx, lambda: self.window.frames > frames + 3)
         return {"text": desk.stage.trouble if desk.stage else ""}
 
-    def broken(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401
+    def broken(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401 - ImGui's own
         """Wait until the compiler has complained."""
         desk = self.window.desk
         self.wait(ctx, lambda: desk.product is not None and desk.product.engine is None)
         assert desk.product is not None
         return {"lines": [one.line for one in desk.product.diagnostics]}
 
-    def rebuild(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401
+    def rebuild(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401 - ImGui's own
         """Save another source, and wait until that is shown."""
         desk, before = self.window.desk, self.window.desk.product
         self.file.write_text(sources.reference(), encoding="utf-8")
@@ -162,7 +162,7 @@ class Hands:
         assert stage.state is State.TRACING
         return {"text": stage.trouble, "share": stage.traced.share}
 
-    def to(self, ctx: Any, share: float, pane: int) -> None:  # noqa: ANN401
+    def to(self, ctx: Any, share: float, pane: int) -> None:  # noqa: ANN401 - ImGui's own
         """Move the mouse over a pane: 0 is the left one."""
         width, height = self.window.desk.size
         window = ctx.get_window_by_ref("//Main window (title bar invisible)")
