@@ -155,9 +155,9 @@ class Live:
         self._whole = 0
 
     def may_ask(self) -> bool:
-        """Whether there is room for another row."""
+        """Whether there is room for half as many rows as there may be."""
         self._count()
-        return self.ending is None and len(self._rows) < MOST_ROWS
+        return self.ending is None and len(self._rows) < MOST_ROWS // 2
 
     def trace(self, rays: Floats, first: int) -> None:
         """Ask for the hits of some rays.

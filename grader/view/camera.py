@@ -1,6 +1,7 @@
 """From where is a scene seen? One camera for both panes: it turns around a point."""
 
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import numpy as np
 
@@ -96,8 +97,9 @@ def orbit_around(low: Doubles, high: Doubles) -> Orbit:
     return Orbit(_triple(middle), (0.0, 1.0, 0.0), 0.5, 0.35, distance, fov, size)
 
 
+@lru_cache(maxsize=8)
 def frame_of(orbit: Orbit) -> Frame:
-    """Return the camera's axes."""
+    """Return the camera's axes; the last ones are kept, because they are asked for again."""
     up = np.array(orbit.up)
     east, north = _across(up)
     level = np.sin(orbit.yaw) * east + np.cos(orbit.yaw) * north

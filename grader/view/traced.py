@@ -29,6 +29,9 @@ BATCH_PATIENCE = 2 * ROW_SECONDS
 AHEAD_SECONDS = 0.25
 """How much is asked for beforehand: so long nobody may have looked."""
 
+TOGETHER = 8
+"""Batches whose rays are made at once."""
+
 FIRST_RAYS = 32
 MOST_RAYS = 8192
 """In one batch."""
@@ -222,10 +225,12 @@ class Traced:
             if ahead > max(2 * FIRST_RAYS, self._rate * AHEAD_SECONDS):
                 return
             level = next(one for one in self._levels if self._asked < one.past)
-            count = min(self._batch(), level.past - self._asked)
+            batch = self._batch()
+            count = min(TOGETHER * batch, level.past - self._asked)
             pixels = self._pixels(level, self._asked, count)
             table = rays_of(orbit, self.width, self.height, pixels)
-            live.trace(table, self._asked)
+            for begin in range(0, count, batch):
+                live.trace(table[begin : begin + batch], self._asked + begin)
             self._asked += count
 
     def _batch(self) -> int:

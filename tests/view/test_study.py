@@ -27,6 +27,7 @@ from grader.view.desk import Desk
 from grader.view.screenshot import wait
 from grader.view.study import Study
 from grader.view.subject import Subject, of_file, of_trial
+from grader.view.walking import expected_of
 from tests.verify.builder import build, soup
 from tests.view import sources
 from tests.view.shown import until
@@ -116,7 +117,8 @@ def test_every_kind_opens_from_its_file(trial: Trial, file: Path, tmp_path: Path
 def test_the_first_wrong_ray_is_followed(file: Path, tmp_path: Path) -> None:
     """Rays that are right are passed over; what was lost, and where, is told."""
     trial = next(one for one in trials() if isinstance(one, TraceTrial))
-    first = int(np.flatnonzero(trial.rays.direction[:, 1] > middle())[0])
+    lost = np.flatnonzero(trial.rays.direction[:, 1] > middle())
+    first = next(ray for ray in lost.tolist() if expected_of(trial, ray) < np.inf)
     with Desk(file, OPTIONS, lambda: of_trial("hits.closest-wins", trial)) as desk:
         study = Study(desk)
         wait(desk, study)

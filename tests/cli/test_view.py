@@ -1,0 +1,72 @@
+"""What `bvhgrade view` says where it cannot show anything."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from grader import resources
+from tests.cli.calls import call
+
+FILE = str(resources.reference_source())
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (("--scene", "nowhere"), "no scene is called nowhere"),
+        (("--scene", "soup", "--check", "x"), "give one of them"),
+        (("--web", "--screenshot", "a.png"), "give one of them"),
+        (("--check", "nothing.json"), "nothing.json"),
+    ],
+)
+@pytest.mark.usefixtures("cache")
+def test_a_wrong_call_is_told(words: tuple[str, ...], told: str) -> None:
+    """With status 2."""
+    result = call("view", FILE, *words)
+    assert result.exit_code == 2
+    assert told in result.output
+
+
+def test_without_a_display_other_ways_are_named(
+    cache: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """With status 3, and no traceback."""
+    monkeypatch.delenv("DISPLAY", raising=False)
+    monkeypatch.delenv("WAYLAND_DISPLAY", raising=False)
+    result = call("view", FILE, "--scene", "soup")
+    assert result.exit_code == 3
+    assert "--web" in result.output
+    assert "--screenshot" in result.output
+    assert "Traceback" not in result.output
+
+
+@pytest.mark.parametrize("words", [(), ("--screenshot", "a.png")])
+def test_without_the_extra_it_is_named(
+    cache: Path, monkeypatch: pytest.MonkeyPatch, words: tuple[str, ...]
+) -> None:
+    """With status 3, and the command that installs it."""
+    for name in ("imgui_bundle", "moderngl"):
+        monkeypatch.setitem(sys.modules, name, None)
+    result = call("view", FILE, "--scene", "soup", *words)
+    assert result.exit_code == 3
+    assert 'pip install "bvhgrade[view]"' in result.output
+
+
+def test_a_file_shows_both_panes(cache: Path, tmp_path: Path) -> None:
+    """The whole command, in a process of its own: OpenGL stays in one until its end."""
+    path = tmp_path / "both.png"
+    words = [sys.executable, "-m", "grader", "view", FILE, "--scene", "soup"]
+    done = subprocess.run(
+        [*words, "--screenshot", str(path)],
+        cwd=resources.stub_folder().parent,
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=600,
+    )
+    assert done.returncode == 0, done.stderr
+    from PIL import Image
+
+    assert Image.open(path).size == (1288, 640)
