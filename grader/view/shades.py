@@ -69,8 +69,9 @@ def is_hit(t: Floats) -> Mask:
 def differing(one: Floats, other: Floats) -> Mask:
     """(K,) bool, True where one t is finite and the other not, or both are apart."""
     with np.errstate(invalid="ignore", over="ignore"):
-        same = np.abs(one - other) <= APART * np.maximum(np.abs(one), np.abs(other))
-        return np.asarray(~(same | ((one >= np.inf) & (other >= np.inf))))
+        near = np.abs(one - other) <= APART * np.maximum(np.abs(one), np.abs(other))
+    both = np.isfinite(one) & np.isfinite(other)
+    return np.asarray(np.where(both, ~near, is_hit(one) != is_hit(other)))
 
 
 def heat(tests: Indices, scale: int, colours: Bytes) -> Bytes:

@@ -69,4 +69,5 @@ def test_a_file_shows_both_panes(cache: Path, tmp_path: Path) -> None:
     assert done.returncode == 0, done.stderr
     from PIL import Image
 
-    assert Image.open(path).size == (1288, 640)
+    with Image.open(path) as picture:
+        assert picture.size == (1288, 640)
