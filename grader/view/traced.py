@@ -6,19 +6,14 @@ how fast the last ones were, so that a new view need not wait for an old one.
 """
 
 import time
-from dataclasses import dataclass
-from typing import TypeVar
 
 import numpy as np
-import numpy.typing as npt
 
 from grader.model.mesh import Indices, Integers, Mask
 from grader.run.live import Live
 from grader.view.camera import Orbit, frame_of, rays_of
+from grader.view.levels import BLOCKS, Level, levels_of
 from grader.view.shades import brightness
-
-BLOCKS = (16, 4, 1)
-"""Sides of the blocks, in pixels."""
 
 ROW_SECONDS = 0.008
 """How long one batch should take: a new view waits for so long at most."""
@@ -28,6 +23,10 @@ BATCH_PATIENCE = 2 * ROW_SECONDS
 
 AHEAD_SECONDS = 0.25
 """How much is asked for beforehand: so long nobody may have looked."""
+
+FINE_SECONDS = 0.3
+"""How long a view has to stay before every pixel of it is asked for: while somebody turns the
+camera, the two coarser levels are all that is seen, and the processor is needed elsewhere."""
 
 TOGETHER = 8
 """Batches whose rays are made at once."""
@@ -42,57 +41,6 @@ PATIENCE = 3.0
 LONGEST_LOOK = 0.25
 """Of the time between two looks so much counts: on a busy machine we wait in line, too."""
 
-Kind = TypeVar("Kind", bound=np.generic)
-
-
-@dataclass(frozen=True, slots=True)
-class Level:
-    """All blocks of one size."""
-
-    block: int
-    first: int
-    """Place of its first ray in the turn."""
-
-    columns: int
-    rows: int
-
-    @property
-    def past(self) -> int:
-        """Place behind its last ray."""
-        return self.first + self.columns * self.rows
-
-    def paint(self, whole: npt.NDArray[Kind], values: npt.NDArray[Kind], first: int) -> None:
-        """Paint blocks.
-
-        Args:
-            whole: (H, W), the picture.
-            values: (K,), one for each block.
-            first: Place of the first ray.
-        """
-        begin, block, width = first - self.first, self.block, whole.shape[1]
-        if block == 1:
-            whole.reshape(-1)[begin : begin + len(values)] = values
-            return
-        for row, left, right in _rows(begin, begin + len(values), self.columns):
-            at = row * self.columns - begin
-            line = np.repeat(values[at + left : at + right], block)[: width - left * block]
-            whole[row * block : (row + 1) * block, left * block : right * block] = line
-
-
-def levels_of(width: int, height: int) -> tuple[Level, ...]:
-    """Divide a picture."""
-    found, first = [], 0
-    for block in BLOCKS:
-        level = Level(block, first, -(-width // block), -(-height // block))
-        found.append(level)
-        first = level.past
-    return tuple(found)
-
-
-def rays_needed(width: int, height: int) -> int:
-    """How many rays all levels of a picture have together."""
-    return levels_of(width, height)[-1].past
-
 
 class Traced:
     """One picture by one living process; arrays are (H, W) and may be read at any time."""
@@ -103,7 +51,8 @@ class Traced:
         self._wanted: tuple[Orbit, int, int] | None = None
         self._levels: tuple[Level, ...] = ()
         self._asked = self._seen = 0
-        self._spent, self._rate = live.trace_seconds, 0.0
+        self._begun = self._rate = 0.0
+        self._spent = live.trace_seconds
         self._unheard, self._looked = 0.0, time.monotonic()
         self.orbit: Orbit | None = None
         """The camera of the picture; None if there is none yet."""
@@ -203,6 +152,7 @@ class Traced:
         self.orbit, self.width, self.height = orbit, width, height
         self._levels = levels_of(width, height)
         self._asked = self._seen = 0
+        self._begun = time.monotonic()
         self._spent, self.seconds = self._live.trace_seconds, 0.0
         self._boxes = self._triangles = 0
         if resized:
@@ -219,7 +169,9 @@ class Traced:
         orbit = self.orbit
         if self._wanted is not None or orbit is None:
             return
-        live, past = self._live, self._levels[-1].past
+        live = self._live
+        stays = time.monotonic() - self._begun >= FINE_SECONDS
+        past = self._levels[-1 if stays else -2].past
         while self._asked < past and live.may_ask():
             ahead = self._asked - live.rays_done()
             if ahead > max(2 * FIRST_RAYS, self._rate * AHEAD_SECONDS):
@@ -286,15 +238,6 @@ class Traced:
         self._boxes += int(boxes)
         self._triangles += int(triangles)
         self.box_tests, self.triangle_tests = self._boxes / rays, self._triangles / rays
-
-
-def _rows(first: int, past: int, columns: int) -> list[tuple[int, int, int]]:
-    """Divide places into rows: each with its first and past column."""
-    found = []
-    for row in range(first // columns, (past - 1) // columns + 1):
-        begin = max(first - row * columns, 0)
-        found.append((row, begin, min(past - row * columns, columns)))
-    return found
 
 
 def agreement(one: Mask, other: Mask) -> float:

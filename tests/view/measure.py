@@ -10,7 +10,9 @@ import time
 BEGUN = time.monotonic()
 
 import resource  # noqa: E402 - the clock starts first
+from collections.abc import Callable  # noqa: E402 - the clock starts first
 from pathlib import Path  # noqa: E402 - the clock starts first
+from typing import Any  # noqa: E402 - the clock starts first
 
 import numpy as np  # noqa: E402 - the clock starts first
 
@@ -34,12 +36,17 @@ class Watch:
         self.frames: list[float] = []
         self.used: list[float] = []
         self._turned = 0
+        self._turns = False
+        self._left: Callable[..., None] | None = None
 
     def frame(self) -> None:
         """Draw one frame, and look what is there."""
         from imgui_bundle import hello_imgui
 
         window, desk = self._window, self._window.desk
+        if window.panes is not None and self._left is None:
+            self._left = window.panes.left
+            setattr(window.panes, "left", self._dragged)  # noqa: B010 - in place of the mouse
         window.frame()
         stage = desk.stage
         self._note("first frame", True)
@@ -53,9 +60,17 @@ class Watch:
             self.frames.append(time.monotonic())
             self.used.append(time.process_time())
             self._turned += 1
-            window.look(desk.orbit.turned(0.02, 0.0))
+            self._turns = True
         elif self._turned == TURNS:
             hello_imgui.get_runner_params().app_shall_exit = True
+
+    def _dragged(self, imgui: Any, size: tuple[int, int]) -> None:  # noqa: ANN401 - ImGui's own
+        """Draw the left pane, then move the camera as the mouse does over it."""
+        assert self._left is not None
+        self._left(imgui, size)
+        if self._turns and self._window.desk.orbit is not None:
+            self._turns = False
+            self._window.look(self._window.desk.orbit.turned(0.02, 0.0))
 
     def _note(self, what: str, is_there: bool) -> None:
         if is_there:

@@ -6,9 +6,9 @@ import pytest
 from grader.model.mesh import Mesh
 from grader.run.session import Engine
 from grader.view import traced as traced_module
+from grader.view.levels import levels_of
 from grader.view.shades import differing, is_hit
 from grader.view.stage import State
-from grader.view.traced import levels_of
 from tests.verify.builder import build
 from tests.view import sources
 from tests.view.conftest import Compiled, Staged
