@@ -192,9 +192,8 @@ def _hear_drops(take: Callable[[list[str]], None]) -> None:
     def dropped(_: Any, names: Any) -> None:  # noqa: ANN401 - GLFW's own
         take([str(name) for name in names])
 
-    # Its types are those of the C function, which gets a count as well.
-    hears: Any = dropped
-    glfw.set_drop_callback(glfw_window_hello_imgui(), hears)
+    # Its own types say that a name comes alone.
+    glfw.set_drop_callback(glfw_window_hello_imgui(), dropped)  # type: ignore[arg-type]  # a list
 
 
 def runner(window: Window, title: str) -> Any:  # noqa: ANN401 - ImGui's own
