@@ -1,6 +1,6 @@
 """How does the table become `docs/performance.md`, with its chart beside it?"""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from grader.bench.chart import chart_of
@@ -67,13 +67,18 @@ def _goals(table: Table) -> Iterator[str]:
     missed = [each for each in table.readings if each.is_met is False]
     if missed:
         yield "What is not met, and why:\n"
-        yield from map(_reason, missed)
+        yield from _reasons(missed)
         yield ""
 
 
-def _reason(reading: Reading) -> str:
-    reason = REASONS.get(reading.goal.number, "no reason is known yet.")
-    return f"- **{reading.goal.number}, {reading.goal.title}**: {reason}"
+def _reasons(missed: Sequence[Reading]) -> Iterator[str]:
+    """Tell each reason once, with the goals that it is the reason for."""
+    numbers: dict[str, list[str]] = {}
+    for reading in missed:
+        reason = REASONS.get(reading.goal.number, "no reason is known yet.")
+        numbers.setdefault(reason, []).append(reading.goal.number)
+    for reason, of in numbers.items():
+        yield f"- **{', '.join(of)}**: {reason}"
 
 
 def _costs(table: Table) -> Iterator[str]:

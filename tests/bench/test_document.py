@@ -30,7 +30,7 @@ def test_every_missed_goal_has_a_reason() -> None:
     """And no other one is excused."""
     page = markdown_of(TABLE)
     excuses = [line for line in page.splitlines() if line.startswith("- **")]
-    assert [line.split(",")[0] for line in excuses] == ["- **1", "- **6b"]
+    assert [line.split("**")[1] for line in excuses] == ["1", "6b"]
 
 
 def test_tables_have_as_many_cells_as_their_head() -> None:
