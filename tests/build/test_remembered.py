@@ -1,6 +1,7 @@
 """What was compiled before is not compiled again, and nobody gets what is not his."""
 
 import os
+import time
 from pathlib import Path
 
 import pytest
@@ -35,9 +36,10 @@ def test_a_name_tells_everything_that_a_product_depends_on() -> None:
 
 def test_what_was_kept_comes_back() -> None:
     """Bytes and messages; nothing before that."""
-    assert recalled(named("kept")) is None
-    keep(named("kept"), PRODUCT)
-    assert recalled(named("kept")) == PRODUCT
+    name = named(f"kept {time.time_ns()}")
+    assert recalled(name) is None
+    keep(name, PRODUCT)
+    assert recalled(name) == PRODUCT
 
 
 @pytest.mark.parametrize("cut", [0, 10, -1])
