@@ -176,7 +176,7 @@ struct Ray4 {
         const uint32_t hits = lanesOf(between & inside);
         uint32_t found = 4;
         for (uint32_t lane = 0; lane < 4; ++lane) {
-            if ((hits >> lane & 1) != 0 && t[lane] < end) {
+            if ((hits >> lane & 1U) != 0 && t[lane] < end) {
                 end = t[lane];
                 found = lane;
             }
@@ -194,11 +194,12 @@ struct Stack {
         const size_t bottom = size;
         for (; lanes != 0; lanes &= lanes - 1) {
             const auto lane = static_cast<uint32_t>(std::countr_zero(lanes));
+            const float at = near[lane];
             size_t place = size++;
-            for (; place > bottom && entries[place - 1].first < near[lane]; --place) {
+            for (; place > bottom && entries[place - 1].first < at; --place) {
                 entries[place] = entries[place - 1];
             }
-            entries[place] = {near[lane], static_cast<uint32_t>(first + lane)};
+            entries[place] = {at, static_cast<uint32_t>(first + lane)};
         }
     }
 };
@@ -263,8 +264,7 @@ void BVH::construct(const Mesh& mesh) {
         unsplit.emplace_back(left, axis);
     }
     faceIndices.resize(numFaces);
-    std::transform(faces.begin(), faces.end(), faceIndices.begin(),
-                   [](const Face& face) { return face.index; });
+    std::ranges::transform(faces, faceIndices.begin(), &Face::index);
 }
 
 Intersection intersect(const Mesh& mesh, const IntersectionRay& ray) {
