@@ -6,9 +6,15 @@ import signal
 import tempfile
 from collections.abc import Generator
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import pytest
 from hypothesis import settings
+
+from tests.browser import SOFTWARE, chromium
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser, Playwright
 
 # No deadline, because a loaded machine is no bug; the same examples in every run.
 settings.register_profile("grader", deadline=None, derandomize=True)
@@ -40,6 +46,23 @@ def cache() -> Generator[Path]:
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("BVHGRADE_CACHE", str(shared))
         yield shared
+
+
+@pytest.fixture(scope="session")
+def playwright() -> Generator["Playwright"]:
+    """Start what drives browsers; a process can have it once only."""
+    from playwright.sync_api import sync_playwright
+
+    with sync_playwright() as started:
+        yield started
+
+
+@pytest.fixture(scope="session")
+def browser(playwright: "Playwright") -> Generator["Browser"]:
+    """Start the browser of all tests of this process."""
+    opened = playwright.chromium.launch(executable_path=chromium(), args=SOFTWARE)
+    yield opened
+    opened.close()
 
 
 @pytest.hookimpl(wrapper=True)

@@ -45,6 +45,9 @@ LONGEST_FAULT = 400
 
 PROTOCOLS = ("tcp://", "tls://")
 
+TALKATIVE = ("distributed", "distributed.client", "tornado", "asyncio")
+"""Loggers of lost connections, which we word ourselves. Dask gives each of its own a level."""
+
 
 class Versioned(Protocol):
     """Knows what is installed on the machines of a cluster; a client of Dask does."""
@@ -225,8 +228,8 @@ def _connected(address: str) -> "Client":
         raise MissingTool(
             f"{fault}; --scheduler needs Dask: pip install 'bvhgrade[cluster]'"
         ) from fault
-    # What it logs is about lost connections, which we word ourselves.
-    logging.getLogger("distributed").setLevel(logging.CRITICAL)
+    for name in TALKATIVE:
+        logging.getLogger(name).setLevel(logging.CRITICAL)
     try:
         with warnings.catch_warnings():
             # It warns of other versions of anything; we look at those that matter.

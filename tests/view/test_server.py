@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Page, sync_playwright
+from playwright.sync_api import Browser, Page
 
 from grader.cli.progress import silent
 from grader.options import Options
@@ -20,7 +20,6 @@ from grader.view.server import Door, written
 from grader.view.service import Service
 from grader.view.study import Study
 from grader.view.subject import of_scene
-from tests.report.html.conftest import SOFTWARE, chromium
 from tests.view import sources
 
 OPTIONS = Options(41, None, (), silent, isolated=False)
@@ -133,20 +132,18 @@ def test_what_cannot_be_asked_is_refused(house: Open, body: Any) -> None:  # noq
 
 
 @pytest.fixture
-def page(house: Open) -> Iterator[Page]:
+def page(house: Open, browser: Browser) -> Iterator[Page]:
     """Open the page in a browser in which nothing may go wrong."""
     noticed: list[str] = []
-    with sync_playwright() as driver:
-        browser = driver.chromium.launch(executable_path=chromium(), args=SOFTWARE)
-        # What playwright waits for is evaluated, which the page's own policy forbids.
-        found = browser.new_page(viewport={"width": 1200, "height": 1000}, bypass_csp=True)
-        found.set_default_timeout(PATIENCE)
-        found.on("console", lambda one: noticed.extend([one.text] * (one.type == "error")))
-        found.on("pageerror", lambda error: noticed.append(str(error)))
-        found.goto(house.door.address)
-        found.locator("#traced[data-share='1']").wait_for()
-        yield found
-        browser.close()
+    # What playwright waits for is evaluated, which the page's own policy forbids.
+    found = browser.new_page(viewport={"width": 1200, "height": 1000}, bypass_csp=True)
+    found.set_default_timeout(PATIENCE)
+    found.on("console", lambda one: noticed.extend([one.text] * (one.type == "error")))
+    found.on("pageerror", lambda error: noticed.append(str(error)))
+    found.goto(house.door.address)
+    found.locator("#traced[data-share='1']").wait_for()
+    yield found
+    found.close()
     assert not noticed
 
 

@@ -1,49 +1,18 @@
-"""A real browser, one for all tests of a process, in which nothing may go wrong."""
+"""Pages in a real browser, in which nothing may go wrong."""
 
-import shutil
 from collections.abc import Callable, Generator
 from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, ConsoleMessage, Page, Playwright, sync_playwright
+from playwright.sync_api import Browser, ConsoleMessage, Page
 
 from grader.report.as_json import to_json
 from grader.report.html.submission import to_html
 from tests.report import samples
 from tests.report.html.shown import failing_views
 
-SOFTWARE = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
-"""WebGL without a graphics card."""
-
 Visit = Callable[..., Page]
-
-
-def chromium() -> str:
-    """Find Debian's Chromium.
-
-    Raises:
-        RuntimeError: There is none, and a test that cannot run is red.
-    """
-    found = shutil.which("chromium") or shutil.which("chromium-browser")
-    if found is None:
-        raise RuntimeError("chromium is not installed: sudo apt-get install chromium")
-    return found
-
-
-@pytest.fixture(scope="session")
-def playwright() -> Generator[Playwright]:
-    """Start what drives browsers."""
-    with sync_playwright() as started:
-        yield started
-
-
-@pytest.fixture(scope="session")
-def browser(playwright: Playwright) -> Generator[Browser]:
-    """Start the browser of all tests of this process."""
-    opened = playwright.chromium.launch(executable_path=chromium(), args=SOFTWARE)
-    yield opened
-    opened.close()
 
 
 @pytest.fixture(scope="session")

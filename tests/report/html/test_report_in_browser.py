@@ -14,8 +14,9 @@ from grader.model.views import Views
 from grader.report.as_json import to_json
 from grader.report.html.submission import to_html
 from grader.report.views import to_json as views_json
+from tests.browser import chromium
 from tests.report import samples
-from tests.report.html.conftest import Visit, chromium
+from tests.report.html.conftest import Visit
 from tests.report.html.shown import flat_model, undrawn_views
 from tests.report.html.test_submission_page import spoilt
 
