@@ -155,15 +155,32 @@ def engines_for(
         UsageError: The path or the rubric is wrong.
         GraderError: Our own fault; nothing is concluded about the submission.
     """
+    further = frozenset(filter(None, [build_of(trial)]))
+    found = compiled(path, folder, options, further)
+    if isinstance(found, Rejected):
+        return found.reason
+    _, build = found
+    if build.library is None:
+        return "it does not compile; bvhgrade check says why"
+    limits = select(options.rubric, ()).rubric.limits
+    return _engines(build, limits, isolation_of(options), nursery)
+
+
+def compiled(
+    path: Path, folder: Path, options: Options, further: frozenset[Further]
+) -> tuple[Submission, Build] | Rejected:
+    """Find a submission and compile it.
+
+    Raises:
+        UsageError: The path or the rubric is wrong.
+        GraderError: Our own fault; nothing is concluded about the submission.
+    """
     limits = select(options.rubric, ()).rubric.limits
     submission = locate(path, limits.source_kib << 10)
     if isinstance(submission, Rejected):
-        return submission.reason
-    further = frozenset(filter(None, [build_of(trial)]))
-    build = compile_submission(submission, _compilation(folder, limits, options, further))
-    if build.library is None:
-        return "it does not compile; bvhgrade check says why"
-    return _engines(build, limits, isolation_of(options), nursery)
+        return submission
+    order = _compilation(folder, limits, options, further)
+    return submission, compile_submission(submission, order)
 
 
 def isolation_of(options: Options) -> Isolation:

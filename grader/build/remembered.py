@@ -10,12 +10,11 @@ entry marks it; when all are too large, those unused for the longest time are dr
 
 import hashlib
 import os
-import tempfile
 from collections.abc import Sequence
-from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
+from grader.entries import drop_oldest, write_entry
 from grader.resources import private_cache
 
 LARGEST = 256 << 20
@@ -66,24 +65,5 @@ def keep(name: str, product: Product) -> None:
     """Keep a product; a full disk only costs the entry."""
     rest = len(product.content).to_bytes(_LENGTH, "little") + product.content + product.messages
     folder = private_cache("products")
-    try:
-        with tempfile.NamedTemporaryFile(dir=folder, delete=False) as file:
-            file.write(hashlib.sha256(rest).digest() + rest)
-        Path(file.name).replace(folder / name)
-    except OSError:
-        return
-    _drop_oldest(folder)
-
-
-def _drop_oldest(folder: Path) -> None:
-    entries = []
-    for path in folder.iterdir():
-        # Another process may have been faster.
-        with suppress(FileNotFoundError):
-            status = path.stat()
-            entries.append((status.st_mtime, status.st_size, path))
-    total = 0
-    for _, size, path in sorted(entries, reverse=True):
-        total += size
-        if total > LARGEST:
-            path.unlink(missing_ok=True)
+    write_entry(folder / name, (hashlib.sha256(rest).digest(), rest))
+    drop_oldest(folder, LARGEST)

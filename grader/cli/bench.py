@@ -4,6 +4,8 @@ from pathlib import Path
 
 import click
 
+from grader.report.escape import line_for_terminal
+
 
 @click.command()
 @click.option("--quick", is_flag=True, help="A smaller mesh, fewer rounds: some minutes less.")
@@ -31,4 +33,4 @@ def bench(quick: bool, folder: Path | None) -> None:
         from grader.bench.document import write
 
         for path in write(folder, table):
-            click.echo(f"written: {path}")
+            click.echo(f"written: {line_for_terminal(str(path))}")

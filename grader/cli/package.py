@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from grader.cli.options import rubric_option
 from grader.errors import UsageError
 from grader.output import write_bytes_whole
 from grader.report.escape import line_for_terminal
@@ -26,11 +27,7 @@ HOSTS = ("gradescope", "github", "prairielearn", "handout")
     required=True,
     help="The zip to write.",
 )
-@click.option(
-    "--rubric",
-    type=click.Path(exists=True, dir_okay=False, path_type=Path),
-    help="Points and limits instead of the built-in ones.",
-)
+@rubric_option
 @click.option("--seed", type=click.IntRange(0, 2**32 - 1), help="Instead of the usual 41.")
 @click.option(
     "--wheels",

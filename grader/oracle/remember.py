@@ -10,7 +10,6 @@ time are dropped.
 
 import hashlib
 import os
-import tempfile
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
@@ -18,6 +17,7 @@ from typing import Any, TypeVar
 
 import numpy as np
 
+from grader.entries import drop_oldest, write_entry
 from grader.oracle.container import sealed, unsealed
 from grader.resources import private_cache
 
@@ -56,8 +56,8 @@ def remember(key: str, compute: Callable[[], Kept]) -> Kept:
     if kept is None:
         kept = compute()
         folder.mkdir(mode=0o700, exist_ok=True)
-        _write(path, kept)
-        _drop_oldest(folder)
+        write_entry(path, sealed(kept))
+        drop_oldest(folder, LARGEST)
     return kept
 
 
@@ -81,29 +81,3 @@ def _read(path: Path) -> Any:  # noqa: ANN401 - whatever was kept
     if kept is not None:
         os.utime(path)
     return kept
-
-
-def _write(path: Path, value: object) -> None:
-    """Write an entry in one step; a full disk only costs the entry."""
-    try:
-        with tempfile.NamedTemporaryFile(dir=path.parent, delete=False) as file:
-            file.writelines(sealed(value))
-        Path(file.name).replace(path)
-    except OSError:
-        return
-
-
-def _drop_oldest(folder: Path) -> None:
-    """Delete what was not used for the longest time until the rest is small enough."""
-    entries = []
-    for path in folder.iterdir():
-        try:
-            status = path.stat()
-        except FileNotFoundError:  # another process was faster
-            continue
-        entries.append((status.st_mtime, status.st_size, path))
-    total = 0
-    for _, size, path in sorted(entries, reverse=True):
-        total += size
-        if total > LARGEST:
-            path.unlink(missing_ok=True)

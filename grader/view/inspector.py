@@ -153,6 +153,12 @@ def _faults(tree: Bvh, node: int, known: Judgement, box: tuple[float, ...]) -> l
     return told
 
 
+def some_faces(facts: NodeFacts) -> str:
+    """List the first faces of a node."""
+    few = ", ".join(map(str, facts.faces[:MOST_FACES].tolist()))
+    return f"{few}, ..." if facts.faces.size > MOST_FACES else few
+
+
 def next_of(nodes: Integers, after: int) -> int:
     """Return the first of some ascending nodes behind another, from the start if need be."""
     if not nodes.size:

@@ -10,9 +10,9 @@ from grader.language import Words
 from grader.plain import one_line
 from grader.report.colours import HEAT
 from grader.verify.check import vector
-from grader.view.desk import Desk, Mode
-from grader.view.inspector import MOST_FACES, NodeFacts
-from grader.view.picture import Shown
+from grader.view.desk import Desk
+from grader.view.inspector import NodeFacts, some_faces
+from grader.view.picture import Shown, titles
 from grader.view.stage import State
 from grader.view.study import Study
 from grader.view.walking import deepest_known
@@ -42,13 +42,7 @@ class Panel:
 
     def _kind(self, imgui: ModuleType) -> None:
         """Choose what the right pane shows."""
-        desk, words = self._desk, self._words
-        names = {
-            Mode.SHADED: words("your picture"),
-            Mode.COST: words("cost of each ray"),
-            Mode.REFERENCE: words("model solution"),
-            Mode.DIFFERENCE: words("pixels that differ"),
-        }
+        desk, names = self._desk, titles(self._words)
         imgui.set_next_item_width(-1)
         if imgui.begin_combo("###mode", names[desk.mode]):
             for mode, name in names.items():
@@ -123,9 +117,7 @@ class Panel:
                 level=facts.level, begin=facts.begin, end=facts.end
             )
         )
-        few = ", ".join(map(str, facts.faces[:MOST_FACES].tolist()))
-        more = ", ..." if facts.faces.size > MOST_FACES else ""
-        imgui.text_wrapped(f"{few}{more}")
+        imgui.text_wrapped(some_faces(facts))
         imgui.text_wrapped(f"min {vector(facts.low)}")
         imgui.text_wrapped(f"max {vector(facts.high)}")
         if facts.parent >= 0 and imgui.small_button(f"{words('parent')} {facts.parent}"):

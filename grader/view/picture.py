@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from grader.language import Words
 from grader.model.mesh import Bytes
 from grader.report.colours import HEAT
 from grader.view.desk import Desk, Mode
@@ -26,6 +27,16 @@ class Shown:
 
     wrong: int = -1
     """Pixels that differ from the model solution's; -1 where that is not shown."""
+
+
+def titles(words: Words) -> dict[Mode, str]:
+    """Name what the right pane can show."""
+    return {
+        Mode.SHADED: words("your picture"),
+        Mode.COST: words("cost of each ray"),
+        Mode.REFERENCE: words("model solution"),
+        Mode.DIFFERENCE: words("pixels that differ"),
+    }
 
 
 def shown(desk: Desk) -> Shown | None:

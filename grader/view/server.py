@@ -19,7 +19,8 @@ import click
 from grader.errors import UsageError
 from grader.language import Words, usual_language
 from grader.report.html.page import page
-from grader.view.desk import Desk, Mode
+from grader.view.desk import Desk
+from grader.view.picture import titles
 from grader.view.service import Service
 from grader.view.study import Study
 
@@ -44,12 +45,6 @@ def served(desk: Desk, study: Study, scenes: Sequence[str], words: Words) -> Non
 
 def written(desk: Desk, scenes: Sequence[str], words: Words) -> str:
     """Write the page."""
-    modes = (
-        (Mode.SHADED, words("your picture")),
-        (Mode.COST, words("cost of each ray")),
-        (Mode.REFERENCE, words("model solution")),
-        (Mode.DIFFERENCE, words("pixels that differ")),
-    )
     told = {
         "step": words("step {step} of {steps}"),
         "box": words("node {node}"),
@@ -65,7 +60,7 @@ def written(desk: Desk, scenes: Sequence[str], words: Words) -> str:
         "title": name,
         "name": name,
         "scenes": list(scenes),
-        "modes": [(mode.value, title) for mode, title in modes],
+        "modes": [(mode.value, title) for mode, title in titles(words).items()],
     }
     return page("view", usual_language(), values, {"data": {"words": told}})
 
@@ -82,8 +77,7 @@ class Door:
         """
         self.token = secrets.token_urlsafe(16)
         handler = partial(_Handler, service, text, self.token)
-        self._server = ThreadingHTTPServer((HERE, 0), handler)
-        self._server.daemon_threads = True
+        self._server = _Server((HERE, 0), handler)
         self.port = int(self._server.server_address[1])
         self._thread = threading.Thread(target=self._server.serve_forever, daemon=True)
 
@@ -101,6 +95,15 @@ class Door:
         """Close it."""
         self._server.shutdown()
         self._server.server_close()
+
+
+class _Server(ThreadingHTTPServer):
+    """Answers every connection in a thread of its own."""
+
+    daemon_threads = True
+
+    def handle_error(self, *_: object) -> None:
+        """Say nothing: a browser whose page is closed goes away in the middle of an answer."""
 
 
 class _Handler(BaseHTTPRequestHandler):

@@ -22,7 +22,7 @@ from grader.verify.check import vector
 from grader.view.asked import FARTHEST, mode, number, numbers, within
 from grader.view.camera import Orbit, frame_of
 from grader.view.desk import Desk
-from grader.view.inspector import MOST_FACES, NodeFacts
+from grader.view.inspector import NodeFacts, some_faces
 from grader.view.picture import Shown, shown
 from grader.view.status import status
 from grader.view.study import Study
@@ -216,8 +216,6 @@ class Service:
         if facts is None:
             return None
         words = self._words
-        few = ", ".join(map(str, facts.faces[:MOST_FACES].tolist()))
-        more = ", ..." if facts.faces.size > MOST_FACES else ""
         told = words("level {level}, faces [{begin}, {end})").format(
             level=facts.level, begin=facts.begin, end=facts.end
         )
@@ -228,7 +226,7 @@ class Service:
         box = f"min {vector(facts.low)}\nmax {vector(facts.high)}"
         return {
             "index": facts.node,
-            "told": f"{told}\n{few}{more}\n{box}\n{good}",
+            "told": f"{told}\n{some_faces(facts)}\n{box}\n{good}",
             "family": family,
             "faults": [one_line(fault) for fault in facts.faults],
             "wrong": bool(facts.faults),

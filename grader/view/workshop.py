@@ -3,12 +3,10 @@
 from dataclasses import dataclass
 from pathlib import Path
 
-from grader.build.compile import Compilation, compile_submission
 from grader.build.reference import reference_library
-from grader.intake.locate import locate
 from grader.model.stages import Diagnostic, Rejected
 from grader.options import Options
-from grader.pipeline import isolation_of
+from grader.pipeline import compiled, isolation_of
 from grader.run.session import Engine
 from grader.sandbox.nursery import Nursery
 from grader.sandbox.selftest import unconfined
@@ -45,17 +43,16 @@ def built(path: Path, folder: Path, nursery: Nursery, options: Options) -> Produ
         UsageError: The path or the rubric is wrong.
         GraderError: Our own fault; nothing is concluded about the submission.
     """
-    limits = select(options.rubric, ()).rubric.limits
-    submission = locate(path, limits.source_kib << 10)
-    if isinstance(submission, Rejected):
-        return Product(None, submission.reason)
-    isolation = isolation_of(options)
-    order = Compilation(folder, isolation, limits.compiler, frozenset())
-    build = compile_submission(submission, order)
+    found = compiled(path, folder, options, frozenset())
+    if isinstance(found, Rejected):
+        return Product(None, found.reason)
+    submission, build = found
     told = (build.diagnostics, build.seconds, submission.sha256)
     if build.library is None:
         return Product(None, "", *told)
-    return Product(Engine(build.library, limits, isolation, nursery=nursery), "", *told)
+    limits = select(options.rubric, ()).rubric.limits
+    engine = Engine(build.library, limits, isolation_of(options), nursery=nursery)
+    return Product(engine, "", *told)
 
 
 def our_own(nursery: Nursery) -> Engine:

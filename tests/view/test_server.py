@@ -3,6 +3,8 @@
 import html
 import http.client
 import json
+import socket
+import struct
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -16,7 +18,7 @@ from playwright.sync_api import Browser, Page
 from grader.cli.progress import silent
 from grader.options import Options
 from grader.view.desk import Desk
-from grader.view.server import Door, written
+from grader.view.server import HERE, Door, written
 from grader.view.service import Service
 from grader.view.study import Study
 from grader.view.subject import of_scene
@@ -129,6 +131,20 @@ def test_what_cannot_be_asked_is_refused(house: Open, body: Any) -> None:  # noq
     """And the program goes on."""
     assert house.ask("POST", house.at("do"), body)[0] == 400
     assert house.ask("GET", house.at("state"))[0] == 200
+
+
+def test_a_browser_that_goes_away_leaves_no_traceback(
+    house: Open, capfd: pytest.CaptureFixture[str]
+) -> None:
+    """Whoever closes a page does so in the middle of an answer."""
+    for _ in range(3):
+        with socket.create_connection((HERE, house.door.port)) as line:
+            # Nothing is read, and what is left unsent is dropped with a reset.
+            line.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
+            path = house.at("model")
+            line.sendall(f"GET {path} HTTP/1.1\r\nHost: {HERE}:1\r\n\r\n".encode())
+    assert house.ask("GET", house.at("state"))[0] == 200
+    assert "Traceback" not in capfd.readouterr().err
 
 
 @pytest.fixture
