@@ -60,7 +60,7 @@ def surfaceless() -> "moderngl.Context":
         raise MissingTool(INSTALL) from fault
     try:
         return moderngl.create_context(require=330, standalone=True, **EGL)
-    except Exception as fault:
+    except Exception as fault:  # moderngl raises nothing more precise
         message = (
             "this machine has no OpenGL 3.3 without a window (EGL); on Debian or Ubuntu: "
             "sudo apt-get install libegl1 libgl1-mesa-dri. bvhgrade view --web needs none"
