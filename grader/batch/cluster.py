@@ -49,6 +49,10 @@ TALKATIVE = ("distributed", "distributed.client", "tornado", "asyncio")
 """Loggers of lost connections, which we word ourselves. Dask gives each of its own a level."""
 
 
+# An assertion: on a machine that stands still, Dask's own thread is not there within its 10 s.
+_UNREACHABLE = (OSError, ValueError, TypeError, ImportError, RuntimeError, AssertionError)
+
+
 class Versioned(Protocol):
     """Knows what is installed on the machines of a cluster; a client of Dask does."""
 
@@ -235,10 +239,9 @@ def _connected(address: str) -> "Client":
             # It warns of other versions of anything; we look at those that matter.
             warnings.simplefilter("ignore")
             return Client(address, timeout=PATIENCE_SECONDS, set_as_default=False)
-    except (OSError, ValueError, TypeError, ImportError, RuntimeError) as fault:
-        raise WorkerFault(
-            f"the cluster {address} cannot be reached: {printable(str(fault), LONGEST_FAULT)}"
-        ) from fault
+    except _UNREACHABLE as fault:
+        why = printable(str(fault) or type(fault).__name__, LONGEST_FAULT)
+        raise WorkerFault(f"the cluster {address} cannot be reached: {why}") from fault
 
 
 def require_versions(client: Versioned, address: str) -> None:

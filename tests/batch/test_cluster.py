@@ -169,3 +169,17 @@ def test_a_scheduler_that_cannot_be_reached_is_told(
     path = folder_of(tmp_path, "class", {"ada.cpp": CODE})
     with pytest.raises(WorkerFault, match="cannot be reached"):
         grade(path, job(tmp_path / "out", None, address))
+
+
+def test_a_client_that_does_not_start_is_told(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Dask asserts that its own thread is there within ten seconds."""
+
+    def stuck(*_: object, **__: object) -> None:
+        raise AssertionError
+
+    monkeypatch.setattr("distributed.Client", stuck)
+    path = folder_of(tmp_path, "class", {"ada.cpp": CODE})
+    with pytest.raises(WorkerFault, match="cannot be reached: AssertionError"):
+        grade(path, job(tmp_path / "out", None, "tcp://127.0.0.1:1"))
