@@ -17,6 +17,7 @@ import os
 import shlex
 import shutil
 from collections.abc import Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -154,11 +155,15 @@ def _precompile(folder: Path, compiler: Compiler, flavour: Flavour) -> None:
     if flavour is GRADED:
         ways[GRAPH_HEADERS] = plain.graph_command
     ending = ".gch" if compiler.name == "g++" else ".pch"
-    for name, command in ways.items():
+
+    def precompile(name: str) -> None:
         header = folder / name
         header.write_text("\n".join(names) + "\n")
         output = header.with_suffix(f".h{ending}")
-        _step([*command, "-x", "c++-header", str(header), "-o", str(output)], compiler)
+        _step([*ways[name], "-x", "c++-header", str(header), "-o", str(output)], compiler)
+
+    with ThreadPoolExecutor(len(ways)) as pool:
+        list(pool.map(precompile, ways))
 
 
 def with_real_depth(command: tuple[str, ...]) -> tuple[str, ...]:
