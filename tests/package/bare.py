@@ -15,6 +15,10 @@ INSTALLED = ("g++", "cmake", "make", "bubblewrap", "python3", "python3-venv")
 """What install.sh would get by apt; nobody here may."""
 
 TEMPORARY = "/tmp"  # noqa: S108 - of the bare Debian, where it is empty
+MEMORY = Path("/dev/shm")  # noqa: S108 - a folder of its own is made in it
+ROOM = 6 << 30
+"""Bytes that a bare Debian and what a host installs in it need at most."""
+
 STRANGER = 65534
 BETWEEN_LOOKS = 0.1
 
@@ -32,6 +36,19 @@ def bare_debian(folder: Path) -> Path:
     )
     assert built.returncode == 0, built.stdout[-2000:] + built.stderr[-2000:]
     return root
+
+
+def in_memory() -> Path | None:
+    """Say where to lay many files: in memory if a root may lie there, for dpkg syncs each.
+
+    Returns:
+        A folder; None for the usual one.
+    """
+    if not MEMORY.is_dir():
+        return None
+    state = os.statvfs(MEMORY)
+    usable = not state.f_flag & (os.ST_NODEV | os.ST_NOEXEC)
+    return MEMORY if usable and state.f_bavail * state.f_frsize > ROOM else None
 
 
 def as_root() -> list[str]:

@@ -15,7 +15,7 @@ from click.testing import CliRunner
 from grader.cli import cli
 from grader.package.wheel import pinned
 from tests.own_files import ROOT
-from tests.package.bare import Container, bare_debian, python_of, remove
+from tests.package.bare import Container, bare_debian, in_memory, python_of, remove
 
 # One root file system for all of them.
 pytestmark = pytest.mark.xdist_group("bare")
@@ -32,7 +32,8 @@ PRAIRIELEARN_MEMORY = 2 << 30
 @pytest.fixture(scope="module")
 def debian() -> Generator[Path]:
     """Build a bare Debian, outside of pytest's folders, which no stranger may enter."""
-    with tempfile.TemporaryDirectory(prefix="bvhgrade-bare-") as folder:
+    place = in_memory()
+    with tempfile.TemporaryDirectory(prefix="bvhgrade-bare-", dir=place) as folder:
         Path(folder).chmod(0o755)
         root = bare_debian(Path(folder))
         yield root
@@ -79,7 +80,8 @@ def graded_here(submission: Path, folder: Path, host: str) -> dict[str, Any]:
 @pytest.fixture
 def open_folder() -> Generator[Path]:
     """Give a folder that a stranger can enter."""
-    with tempfile.TemporaryDirectory(prefix="bvhgrade-host-") as folder:
+    place = in_memory()
+    with tempfile.TemporaryDirectory(prefix="bvhgrade-host-", dir=place) as folder:
         Path(folder).chmod(0o755)
         yield Path(folder)
 
