@@ -16,11 +16,16 @@ PRESETS = ["Debug", "Release", "RelWithDebInfo", "Sanitize"]
 def test_every_preset_builds_without_a_warning(
     preset: str, compiler: str, tmp_path: Path
 ) -> None:
-    """The starter compiles and links with both compilers, and nobody complains."""
+    """The starter compiles and links with both compilers, and nobody complains.
+
+    File by file in Debug; elsewhere the given code is one piece, for what a preset adds is
+    seen there as well, in a third of the time.
+    """
     presets = json.loads((STUB / "CMakePresets.json").read_text())["configurePresets"]
     (chosen,) = (p for p in presets if p["name"] == preset)
     options = [f"-D{name}={value}" for name, value in chosen["cacheVariables"].items()]
-    said = build(tmp_path, *options, f"-DCMAKE_CXX_COMPILER={compiler}")
+    unity = f"-DEX03_UNITY={'OFF' if preset == 'Debug' else 'ON'}"
+    said = build(tmp_path, *options, unity, f"-DCMAKE_CXX_COMPILER={compiler}")
     assert "warning" not in said.lower(), said
 
 
