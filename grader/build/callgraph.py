@@ -23,6 +23,11 @@ ANYTHING = b"*"
 MAX_CALLS = 200_000
 """A textbook solution has about 1,000; more than this is cut."""
 
+MAX_ROWS = 500_000
+MAX_BYTES = 16 << 20
+"""A textbook solution has 25,000 rows of 25 bytes; a macro can make 200 million, which nobody
+could read in time."""
+
 _KINDS = (b"function", b"object")
 _SYMBOL = re.compile(rb'^\s*\.type\s+"?([\w.$\x80-\xff]{1,4096})"?,\s*[@%](function|object)')
 _ALIAS = re.compile(
@@ -75,6 +80,11 @@ def read_assembly(text: bytes) -> CallGraph:
         taken=_pairs(read.taken),
         selves=tuple(map(_text, read.selves)),
     )
+
+
+def is_readable(text: bytes) -> bool:
+    """Tell whether a text is short enough to be read."""
+    return len(text) <= MAX_BYTES and text.count(b"\n") <= MAX_ROWS
 
 
 def _pairs(pairs: Iterable[tuple[bytes, bytes]]) -> tuple[Call, ...]:

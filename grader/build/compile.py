@@ -6,7 +6,7 @@ from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from grader.build.callgraph import read_assembly
+from grader.build.callgraph import is_readable, read_assembly
 from grader.build.compiler import find_compiler
 from grader.build.diagnostics import SOURCE_NAME, read_diagnostics
 from grader.build.product import adopted
@@ -229,10 +229,10 @@ def _link(framework: Workspace, work: Compilation, name: str) -> _Linked:
 
 
 def call_graph(framework: Workspace, work: Compilation) -> CallGraph | None:
-    """Ask the front end who calls whom; None if it does not get through the file."""
+    """Ask the front end who calls whom; None if that cannot be found out in time."""
     command = (*framework.graph_command, "-S", SOURCE_NAME)
     _, content = _once(command, framework, work, f"{_GRAPH}.s")
-    return None if content is None else read_assembly(content)
+    return read_assembly(content) if content is not None and is_readable(content) else None
 
 
 def _once(

@@ -120,6 +120,20 @@ def test_a_huge_text_is_cut(monkeypatch: pytest.MonkeyPatch) -> None:
     assert len(calls(f"\t.type\tmain, @function\nmain:\n{body}\t.size\tmain, 9\n")) == 10
 
 
+@pytest.mark.parametrize(
+    ("text", "readable"),
+    [
+        (b"\n" * callgraph.MAX_ROWS, True),
+        (b"\n" * (callgraph.MAX_ROWS + 1), False),
+        (b"x" * callgraph.MAX_BYTES, True),
+        (b"x" * (callgraph.MAX_BYTES + 1), False),
+    ],
+)
+def test_a_text_that_takes_too_long_is_not_read(text: bytes, readable: bool) -> None:
+    """The reader is the grader itself, which no limit ends."""
+    assert callgraph.is_readable(text) is readable
+
+
 FORGED = """
 \t.type\t_ZL4growi, @function
 _ZL4growi:
