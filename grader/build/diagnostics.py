@@ -22,6 +22,12 @@ _REQUIRED = re.compile(
 _NO_PLACE = re.compile(r"^(?:cc1plus|clang[-+.\w]{0,20}): (?:fatal )?error: (?P<text>.*)$")
 """What the compiler itself cannot do, such as reading a file that is out of reach."""
 
+_ASSEMBLER = re.compile(r"^[^:\n]{1,200}\.s:\d{1,9}: Error: (?P<text>.*)$")
+"""What only the assembler notices; its own file's name is another one each time."""
+
+_QUOTED = re.compile(r"^ *\d* \|")
+"""A line of the student's that the compiler quotes, and what it draws below."""
+
 _LINKER = re.compile(r"(?P<text>(multiple definition of|undefined reference to) [^;]*)")
 
 
@@ -59,7 +65,10 @@ def _read_line(line: str, required: tuple[int, int]) -> Diagnostic | None:
     match = _NO_PLACE.match(line)
     if match:
         return Diagnostic(*required, "error", match["text"][:MAX_TEXT])
-    match = _LINKER.search(line)
+    match = _ASSEMBLER.match(line)
     if match:
+        return Diagnostic(0, 0, "error", f"assembler: {match['text']}"[:MAX_TEXT])
+    match = _LINKER.search(line)
+    if match and not _QUOTED.match(line):
         return Diagnostic(0, 0, "error", f"link: {match['text']}"[:MAX_TEXT])
     return None

@@ -19,6 +19,7 @@ OWN = "src/exercise03.cpp"
         ("/a/b/include/aabb.h:7:3: error: no", Diagnostic(0, 0, "error", "aabb.h:7: no")),
         ("cc1plus: fatal error: x: no", Diagnostic(0, 0, "error", "x: no")),
         ("clang++-14: error: no", Diagnostic(0, 0, "error", "no")),
+        ("/x/ccA1.s:4: Error: no such", Diagnostic(0, 0, "error", "assembler: no such")),
         ("<command-line>:1:1: error: x", Diagnostic(0, 0, "error", "<command-line>:1: x")),
         (
             "other/exercise03.cpp:3:1: error: x",
@@ -38,6 +39,8 @@ def test_a_message_is_split_at_its_place(line: str, expected: Diagnostic) -> Non
         "In file included from src/exercise03.cpp:1:",
         f"{OWN}: In member function 'void BVH::construct(const Mesh&)':",
         "   12 |     x = 1;",
+        "   12 | #warning fine // undefined reference to `x'",
+        "      | multiple definition of `x'",
         "      |     ^",
         "compilation terminated.",
         "collect2: error: ld returned 1 exit status",
