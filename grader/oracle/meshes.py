@@ -119,7 +119,10 @@ SHAPES: Mapping[str, Callable[[np.random.Generator], Soup]] = {
     "far-away": lambda rng: _at((1000.0, -2000.0, 500.0))(shapes.terrain(rng, 14, 12)),
     "scaled-small": lambda rng: 1e-3 * shapes.terrain(rng, 14, 12),
     "scaled-large": lambda rng: 1e4 * shapes.terrain(rng, 14, 12),
+    "scaled-tiny": lambda rng: 1e-12 * shapes.terrain(rng, 14, 12),
+    "scaled-huge": lambda rng: _at((3e12, -3e12, 3e12), 1e12)(shapes.terrain(rng, 14, 12)),
     "stretched": _stretched,
+    "one-point": lambda rng: np.tile(rng.uniform(-1, 1, 3), (9, 3, 1)),
 }
 """Shape by name, drawn from random numbers of its own."""
 

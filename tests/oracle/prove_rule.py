@@ -62,8 +62,11 @@ def sizes() -> dict[str, Size]:
 
 
 def too_much(name: str) -> bool:
-    """Tell whether a shape has no face, or more than a night has time for."""
-    return name in ("cloud-0", "cloud-65600")
+    """Tell whether a shape has no face, more than a night has time for, or is no place for rays.
+
+    There normals are too small or large for a float, or no face has an area.
+    """
+    return name in ("cloud-0", "cloud-65600", "scaled-tiny", "scaled-huge", "one-point")
 
 
 @dataclass(slots=True)

@@ -73,6 +73,10 @@ def test_shapes_are_what_they_are_called() -> None:
     assert mesh_named(1, "octant-negative").vertices.max() < 0
     assert len(mesh_named(1, "cloud-65600").faces) > 2**16
     assert np.ptp(mesh_named(1, "scaled-small").vertices) < 1e-2
+    assert np.ptp(mesh_named(1, "scaled-tiny").vertices) < 1e-11
+    assert np.abs(mesh_named(1, "scaled-huge").vertices).min() > 1e12
+    one = mesh_named(1, "one-point")
+    assert (len(one.faces), len(one.vertices)) == (9, 1)
 
 
 def test_the_deep_mesh_overfills_the_last_level() -> None:
