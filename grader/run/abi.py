@@ -5,7 +5,7 @@ Used inside the worker, so it uses the standard library only.
 
 import ctypes
 
-VERSION = 2
+VERSION = 3
 SIZES = (12, 12, 32, 32, 28, 60)
 """Bytes of a point, face, node, ray, hit and step."""
 
@@ -17,6 +17,7 @@ _FUNCTIONS = {
     "ex03_abi_version": (ctypes.c_uint32, ()),
     "ex03_size_of": (_COUNT, (ctypes.c_uint32,)),
     "ex03_mesh_create": (_POINTER, (_POINTER, _COUNT, _POINTER, _COUNT)),
+    "ex03_mesh_replace": (_STATUS, (_POINTER, _POINTER, _COUNT, _POINTER, _COUNT)),
     "ex03_mesh_bvh": (_POINTER, (_POINTER,)),
     "ex03_copy_vertices": (_COUNT, (_POINTER, _POINTER, _COUNT)),
     "ex03_copy_faces": (_COUNT, (_POINTER, _POINTER, _COUNT)),

@@ -48,6 +48,8 @@ class Op:
     """Call `intersect`: slot, rays, count, hits, tests or 0, finished rays, threads."""
     RECORD = 8
     """Call `intersect` and record its tests: slot, one ray, hit, steps, capacity, count."""
+    REPLACE = 9
+    """Put other arrays where a mesh lies, and no tree: slot, vertices, count, faces, count."""
 
 
 class Status:

@@ -28,7 +28,15 @@ from grader.model.trials import (
 )
 from grader.run.job import Job, Result
 from grader.run.protocol import Op
-from grader.run.transfer import give_mesh, on_tree, read_mesh, read_tree, trace
+from grader.run.transfer import (
+    give_mesh,
+    give_tree,
+    on_tree,
+    read_mesh,
+    read_tree,
+    replace_mesh,
+    trace,
+)
 from grader.tolerances import FACES_PER_LEAF, MAX_DEPTH, SMALL_MAX_DEPTH
 
 THREADS = 4
@@ -109,6 +117,13 @@ def _rebuild(trial: RebuildTrial) -> Request:
     ):
         job.do(Op.CONSTRUCT, tree, slot)
         readers.append((label, mesh, read_tree(job, tree, mesh)))
+    # As a program does that loads a model: `mesh = Mesh(...)`, then `bvh.construct(mesh)`.
+    moved = give_mesh(job, trial.first)
+    job.do(Op.CONSTRUCT, moved, moved)
+    replace_mesh(job, moved, trial.second)
+    job.do(Op.CONSTRUCT, moved, moved)
+    replaced = read_tree(job, moved, trial.second)
+    readers.append(("mesh B in the place where A was", trial.second, replaced))
     readers.append(("the other tree, later", trial.second, read_tree(job, other, trial.second)))
     meshes = [
         (label, mesh, read_mesh(job, slot, mesh))
@@ -165,7 +180,7 @@ def _work(job: Job, trial: WorkTrial) -> ReadOne:
 
 
 def _repeat(trial: RepeatTrial) -> Request:
-    """The same rays: forwards, backwards, again, after another mesh's rays, from threads.
+    """The same rays: forwards, backwards, again, after another mesh's rays, in its place, from threads.
 
     In a second process the threads come first: nothing was prepared by a ray before.
     """
@@ -177,6 +192,9 @@ def _repeat(trial: RepeatTrial) -> Request:
     backwards = trace(job, slot, _reversed(rays))
     again = trace(job, slot, rays)
     elsewhere = trace(job, other, rays)
+    replace_mesh(job, other, trial.mesh)
+    give_tree(job, other, trial.tree)
+    moved = trace(job, other, rays)
     after = trace(job, slot, rays)
     together = [trace(job, slot, rays, THREADS) for _ in range(ROUNDS)]
     cold = Job()
@@ -188,6 +206,7 @@ def _repeat(trial: RepeatTrial) -> Request:
             ("in reverse order", _reversed_hits(backwards(result).hits[0])),
             ("a second time", again(result).hits[0]),
             ("after rays on another mesh", after(result).hits[0]),
+            ("where another mesh was", moved(result).hits[0]),
             *(
                 (f"from {THREADS} threads at once", hits)
                 for threads in together

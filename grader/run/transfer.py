@@ -29,6 +29,12 @@ def give_mesh(job: Job, mesh: Mesh) -> int:
     return job.make(Op.MESH, vertices, len(mesh.vertices), faces, len(mesh.faces))
 
 
+def replace_mesh(job: Job, slot: int, mesh: Mesh) -> None:
+    """Put another mesh where one lies, without a tree."""
+    vertices, faces = job.give(mesh.vertices), job.give(mesh.faces)
+    job.do(Op.REPLACE, slot, vertices, len(mesh.vertices), faces, len(mesh.faces))
+
+
 def read_tree(job: Job, slot: int, mesh: Mesh) -> Callable[[Result], Bvh]:
     """Have a tree copied out; returns how to read it."""
     faces = len(mesh.faces)

@@ -49,6 +49,7 @@ class Worker:
             Op.SET_TREE: (self.set_tree, 5),
             Op.TRACE: (self.trace, 7),
             Op.RECORD: (self.record, 6),
+            Op.REPLACE: (self.replace, 5),
         }
         """Each operation and how many of a row's numbers are its arguments."""
 
@@ -61,6 +62,14 @@ class Worker:
             return Status.OUT_OF_MEMORY
         self.slots.append((made, self.library.ex03_mesh_bvh(made)))
         return Status.OK
+
+    def replace(self, slot: int, vertices: int, count: int, faces: int, face_count: int) -> int:
+        """Put other arrays where a mesh lies; its tree is empty then."""
+        return int(
+            self.library.ex03_mesh_replace(
+                self.slots[slot][0], self.source + vertices, count, self.source + faces, face_count
+            )
+        )
 
     def tree(self) -> int:
         """Make a tree without a mesh: the next slot."""

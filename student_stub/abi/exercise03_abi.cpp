@@ -166,7 +166,7 @@ void traceTogether(std::vector<Tracer>& tracers, const Mesh& mesh, const ex03_ba
 using namespace ex03;
 
 uint32_t ex03_abi_version(void) {
-    return 2;
+    return 3;
 }
 
 uint64_t ex03_size_of(uint32_t what) {
@@ -196,6 +196,14 @@ ex03_mesh* ex03_mesh_create(const float* vertices, uint64_t vertex_count, const 
 
 void ex03_mesh_destroy(ex03_mesh* mesh) {
     delete reinterpret_cast<Mesh*>(mesh);
+}
+
+int32_t ex03_mesh_replace(ex03_mesh* mesh, const float* vertices, uint64_t vertex_count,
+                          const uint32_t* faces, uint64_t face_count) {
+    return report(guarded([&] {
+        unwrap(mesh) = Mesh(copyIn<Point3D>(vertices, vertex_count),
+                            copyIn<TriangleIndices>(faces, face_count));
+    }));
 }
 
 ex03_bvh* ex03_mesh_bvh(ex03_mesh* mesh) {

@@ -24,7 +24,14 @@ from grader.run.job import Job
 from grader.run.protocol import Op
 from grader.run.requests import request
 from grader.run.session import Engine, run_job
-from grader.run.transfer import give_mesh, give_tree, read_tree, trace
+from grader.run.transfer import (
+    give_mesh,
+    give_tree,
+    read_mesh,
+    read_tree,
+    replace_mesh,
+    trace,
+)
 from tests.compiled import PATIENT
 from tests.verify.builder import altered, build, failed, mesh_of, soup
 from tests.verify.trials import every_trial
@@ -118,7 +125,7 @@ def test_a_tree_that_is_too_large_is_cut_and_counted(reference: Engine) -> None:
     assert back.order.tolist() == [0, 1, 2]
 
 
-def test_a_rebuild_gives_six_trees_and_both_meshes(reference: Engine) -> None:
+def test_a_rebuild_gives_seven_trees_and_both_meshes(reference: Engine) -> None:
     """Each tree belongs to its mesh, and the meshes come back byte for byte."""
     first, second = soup(37), soup(12, seed=9)
     _, case = delivered(RebuildTrial("rebuild", first, second), reference)
@@ -130,12 +137,28 @@ def test_a_rebuild_gives_six_trees_and_both_meshes(reference: Engine) -> None:
         False,
         True,
         False,
+        False,
     ]
     for _, mesh, bvh in (*case.trees, ("alone", second, case.alone)):
         assert failed(mesh, bvh) == set()
     for _, given, after in case.meshes:
         assert given.vertices.tobytes() == after.vertices.tobytes()
         assert given.faces.tobytes() == after.faces.tobytes()
+
+
+def test_a_mesh_is_replaced_where_it_lies(reference: Engine) -> None:
+    """The slot holds the other mesh then, and no tree."""
+    first, second = soup(37), soup(12, seed=9)
+    job = Job()
+    slot = give_mesh(job, first)
+    job.do(Op.CONSTRUCT, slot, slot)
+    replace_mesh(job, slot, second)
+    tree, mesh = read_tree(job, slot, second), read_mesh(job, slot, second)
+    ending, result = run_job(job, reference, PATIENT)
+    assert result, ending
+    assert tree(result).node_count == 0
+    assert mesh(result).vertices.tobytes() == second.vertices.tobytes()
+    assert mesh(result).faces.tobytes() == second.faces.tobytes()
 
 
 def test_every_kind_of_trial_comes_back(reference: Engine) -> None:

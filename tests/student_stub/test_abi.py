@@ -40,7 +40,7 @@ def test_sizes_and_constants(library: ctypes.CDLL) -> None:
     assert [library.ex03_size_of(k) for k in range(8)] == [12, 12, 32, 32, 28, 60, 0, 0]
     assert NODE.itemsize == 32
     assert HIT.itemsize == 28
-    assert library.ex03_abi_version() == 2
+    assert library.ex03_abi_version() == 3
     assert (library.ex03_max_depth(), library.ex03_faces_per_leaf()) == (20, 4)
 
 
