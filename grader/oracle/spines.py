@@ -32,7 +32,7 @@ made for the levels of its own trees only. Level 20 is for those whose trees rea
 ROUNDS = 2
 """Rays that start before each face."""
 
-LIMITED = FACES_PER_LEAF + 2
+LIMITED = FACES_PER_LEAF + 29
 """Faces in each leaf at the depth limit."""
 
 SIZE, TILT, ASLANT = 40.0, 0.1, 0.02
