@@ -24,11 +24,9 @@ from grader.oracle.costs import plain_costs
 from grader.oracle.exact import exact_trial, lattice
 from grader.oracle.forms import other_form
 from grader.oracle.meshes import TRACED, construct_meshes, depth_mesh, generator
-from grader.oracle.ordinary import from_inside
-from grader.oracle.rays import Request, joined
+from grader.oracle.rays import Request
 from grader.oracle.remember import digest_of, remember
 from grader.oracle.scenes import folder_sha256, image_trials, load_mesh
-from grader.oracle.special import along_axes
 from grader.oracle.spines import DEEPEST, spine_trial
 from grader.oracle.thicket import thicket, thicket_trial
 from grader.oracle.tracing import deepest_tree, sample, traced
@@ -234,7 +232,7 @@ def _work_trials(seed: int, trees: Trees) -> list[WorkTrial]:
     meshes = [load_mesh(name) for name, _ in WORK]
     trials = []
     for (name, count), mesh, tree in zip(WORK, meshes, trees(meshes), strict=True):
-        rays = _of_all_kinds(seed, name, mesh, count)
+        rays = _incoherent(seed, name, mesh, count)
         boxes, triangles = plain_costs(tree, rays)
         trials.append(WorkTrial(f"work on {name}", mesh, tree, rays, boxes, triangles))
     return trials
@@ -245,19 +243,6 @@ def _incoherent(seed: int, name: str, mesh: Mesh, count: int) -> Rays:
     stage = stage_for(mesh, generator(seed, name, "work"), lambda _: NOTHING)
     origin = around(stage, count, 1.0)
     return beams(origin, within(stage, count) - origin)
-
-
-def _of_all_kinds(seed: int, name: str, mesh: Mesh, count: int) -> Rays:
-    """Draw rays from all around, from inside, along axes, and between two points.
-
-    A fourth of each: who tests every face for one kind of them only is wasteful on average.
-    """
-    stage = stage_for(mesh, generator(seed, name, "work"), lambda _: NOTHING)
-    each = count // 4
-    origin, start = around(stage, each, 1.0), within(stage, each)
-    outside = beams(origin, within(stage, each) - origin)
-    between = beams(start, within(stage, each) - start, t_max=1.0)
-    return joined([outside, from_inside(stage, each), along_axes(stage, each), between])
 
 
 def _exact_trials(seed: int, trees: Trees) -> list[TraceTrial]:

@@ -15,10 +15,10 @@ from grader.oracle.bundle import beams, unit
 from grader.oracle.culling import all_pairs
 from grader.oracle.meshes import generator, welded
 
-FACES = 20_000
-"""A tree of 16,383 nodes."""
+FACES = 40_000
+"""A tree of 32,767 nodes."""
 
-RAYS = 24
+RAYS = 16
 
 WIDTH, BUNDLE = 0.02, 0.3
 """Of a face, whose length is 3.5, and of the bundle: half as wide as the cube's half."""
