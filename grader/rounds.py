@@ -71,7 +71,8 @@ class Rounds:
         """
         limit = options.most_seconds(rubric.limits)
         self._engines = engines
-        self._budget = Budget(rubric.limits, limit - _RESERVE * limit - elapsed)
+        whole = limit - _RESERVE * limit
+        self._budget = Budget(rubric.limits, whole - elapsed, whole)
         self._solution = solution
         self._rubric = rubric
         self._options = options

@@ -30,6 +30,9 @@ OWN_SHARE = 0.4
 Two workers at a time can use 2; right submissions use about 0.1.
 """
 
+_SHARES = (("a", 2), ("b", 1))
+"""What is left of the time, by part: a half of it, and all."""
+
 PATIENCE = 3
 """After this many time-outs in one part the other trials of it get `HURRIED_SECONDS`."""
 
@@ -75,18 +78,21 @@ def is_sanitized(trial: Trial) -> bool:
 class Budget:
     """How long the next worker may take, given what the others used."""
 
-    def __init__(self, limits: Limits, seconds: float) -> None:
+    def __init__(self, limits: Limits, seconds: float, whole: float = 0.0) -> None:
         """Begin now.
 
         Args:
             limits: Of each worker.
-            seconds: Wall time of all of them together.
+            seconds: Wall time that is left for all of them together; may be negative.
+            whole: What there was of it when the grade began, if that was more.
         """
         self._limits = limits
         begun = time.monotonic()
+        # What compiling and planning took is no use of time by a worker: a share of the rest,
+        # which may be nothing, would blame whoever ran at all.
+        self._enough = {part: OWN_SHARE * max(seconds, whole) / n for part, n in _SHARES}
         # What part a uses up must not be missing in part b.
-        self._seconds = {"a": seconds / 2, "b": seconds}
-        self._deadline = {part: begun + share for part, share in self._seconds.items()}
+        self._deadline = {part: begun + seconds / n for part, n in _SHARES}
         self._used = {"a": 0.0, "b": 0.0}
         self._timeouts = {"a": 0, "b": 0}
         self._lock = threading.Lock()
@@ -116,7 +122,7 @@ class Budget:
         # Sleeping counts as use; standing in line does not.
         own = ending.seconds - ending.delayed_seconds
         part = part_of(trial)
-        enough = OWN_SHARE * self._seconds[part]
+        enough = self._enough[part]
         with self._lock:
             self._used[part] += own
             if ending.stop is not Stop.TIMED_OUT:

@@ -55,6 +55,18 @@ def test_what_is_not_begun_is_the_fault_of_who_used_the_time() -> None:
     assert starved.blamed(TRIAL, NOT_BEGUN, None).crowded
 
 
+@pytest.mark.parametrize("left", [-100.0, 0.0, 5.0])
+def test_what_compiling_and_planning_took_is_nobodys_fault(left: float) -> None:
+    """On a machine so busy that little or nothing was left before the first worker began."""
+    budget = Budget(LIMITS, left, 100.0)
+    assert budget.blamed(TRIAL, NOT_BEGUN, None).crowded
+    budget.blamed(TRIAL, Ending(Stop.FINISHED, "", 4.0, 3.0, ""), ALLOWED)
+    assert budget.blamed(TRIAL, NOT_BEGUN, None).crowded
+    for _ in range(PATIENCE):
+        budget.blamed(TRIAL, late(0.1, 0.0), ALLOWED)
+    assert not budget.blamed(TRIAL, NOT_BEGUN, None).crowded
+
+
 def test_the_end_of_the_grade_cuts_who_used_it_up() -> None:
     """A worker that had a second left is judged by what all of them have used."""
     cut = Allowance(10.0, 1.0)
