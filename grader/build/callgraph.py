@@ -38,6 +38,10 @@ _END = re.compile(rb'^\s*\.size\s+"?([\w.$\x80-\xff]{1,4096})"?,')
 _NAME = re.compile(rb"[A-Za-z_\x80-\xff][\w.$\x80-\xff]{1,4096}")
 _CALL = re.compile(rb"^(call|jmp|bl?$|b[lr]+$)")
 _POINTER_CALL = re.compile(rb"^(call\w*\s+\*|blr\s)")
+_ELSEWHERE = re.compile(rb"(?:^|[^\w.$])([a-z]\w{0,80}|_Z(?:n[wa]|d[la])\w{1,20})@GOTPCREL")
+_ELSEWHERE_ARM = re.compile(rb":got:([a-z]\w{0,80}|_Z(?:n[wa]|d[la])\w{1,20})\b")
+_OF_THE_LIBRARY = (b"_ZNSt", b"_ZSt", b"_ZNKSt")
+_DATA = {b"stdin", b"stdout", b"stderr", b"environ"}
 _TABLE = re.compile(rb"^\.(?:quad|xword|8byte)\s+([\w.$\x80-\xff]{1,4096})")
 _FILE = re.compile(rb'^\s*\.file\s+(\d+)\s+(?:"[^"\n]*"\s+)?"([^"\n]*)"')
 _LINE = re.compile(rb"^\s*\.loc\s+(\d+)\s+(\d{1,7})\b")
@@ -136,6 +140,21 @@ def _note(read: _Read, owner: bytes, row: bytes) -> None:
             read.calls |= dict.fromkeys((ANYTHING, name) for name in functions)
             tables = [name for name in names if name in read.objects]
             read.taken |= dict.fromkeys((owner, name) for name in functions + tables)
+            _note_elsewhere(read, owner, row)
+
+
+def _note_elsewhere(read: _Read, owner: bytes, row: bytes) -> None:
+    """Take down the address of a function that C or `operator new` is, as in `alloc = malloc`.
+
+    It is one more that a pointer may be for, so the file's only one is not surely meant.
+    """
+    found = _ELSEWHERE.search(row) or _ELSEWHERE_ARM.search(row)
+    if not found or owner.startswith(_OF_THE_LIBRARY):
+        return
+    name = found[1]
+    if name not in _DATA | read.functions | read.objects:
+        read.calls[ANYTHING, name] = None
+        read.taken[owner, name] = None
 
 
 def _note_data(read: _Read, owner: bytes, row: bytes) -> None:

@@ -95,6 +95,30 @@ def test_who_takes_an_address_is_listed() -> None:
     assert taken == {("_Z0v", "_ZTV1S"), ("_Z0v", "_Z1v"), ("_ZTV1S", "_Z2v"), ("*", "_Z3v")}
 
 
+@pytest.mark.parametrize(
+    ("row", "name"),
+    [
+        ("movq\tmalloc@GOTPCREL(%rip), %rax", "malloc"),
+        ("movq\t_Znwm@GOTPCREL(%rip), %rax", "_Znwm"),
+        ("adrp\tx0, :got:free", "free"),
+    ],
+)
+def test_a_pointer_may_be_for_a_function_of_c(row: str, name: str) -> None:
+    """Who hands `malloc` around has a pointer more that is not for the file's own function."""
+    text = f"\t.type\t_Z1fv, @function\n_Z1fv:\n\t{row}\n\t.size\t_Z1fv, 9\n"
+    assert ("*", name) in calls(text)
+
+
+@pytest.mark.parametrize("name", ["stderr", "_ZSt4cout", "_ZTIi", "__pthread_key_create"])
+def test_a_pointer_is_never_for_a_variable_of_the_library(name: str) -> None:
+    """Nor for what the library looks up for itself."""
+    text = (
+        f"\t.type\t_Z1fv, @function\n_Z1fv:\n\tmovq\t{name}@GOTPCREL(%rip), %rax\n"
+        "\t.size\t_Z1fv, 9\n"
+    )
+    assert not {each for pointer, each in calls(text) if pointer == "*"}
+
+
 @pytest.mark.parametrize("quote", ["", '"'])
 def test_names_beyond_ascii_stay_apart(quote: str) -> None:
     """Two functions whose names differ only in an umlaut are two functions."""
