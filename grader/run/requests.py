@@ -180,9 +180,10 @@ def _work(job: Job, trial: WorkTrial) -> ReadOne:
 
 
 def _repeat(trial: RepeatTrial) -> Request:
-    """The same rays: forwards, backwards, again, after another mesh's rays, in its place, from threads.
+    """The same rays: forwards, backwards, again, after another mesh's rays, from threads.
 
-    In a second process the threads come first: nothing was prepared by a ray before.
+    Once also with the mesh where the other one was. In a second process the threads come
+    first: nothing was prepared by a ray before.
     """
     job = Job()
     slot = on_tree(job, trial.mesh, trial.tree)

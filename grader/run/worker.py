@@ -67,7 +67,11 @@ class Worker:
         """Put other arrays where a mesh lies; its tree is empty then."""
         return int(
             self.library.ex03_mesh_replace(
-                self.slots[slot][0], self.source + vertices, count, self.source + faces, face_count
+                self.slots[slot][0],
+                self.source + vertices,
+                count,
+                self.source + faces,
+                face_count,
             )
         )
 

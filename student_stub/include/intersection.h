@@ -10,7 +10,8 @@ struct Intersection {
     Point3D intersection_point;
     float t{infinity};
 
-    /// Perpendicular to the face, of length 1. It may point away from the ray or towards it.
+    /// Perpendicular to the face, of length 1. The order of the corners decides to which side it
+    /// points, and not the ray: it is never turned.
     Normal3D normal;
 
     /// True if something was hit.

@@ -7,7 +7,7 @@ import pytest
 
 from grader.model.mesh import Bvh, Hits, Mask, Rays
 from grader.model.trials import AlteredTrial
-from grader.oracle.altered import altered_trials
+from grader.oracle.altered import SHRUNK, altered_trials
 from grader.oracle.brute import chosen
 from grader.oracle.costs import given_box_test, plain_costs
 from grader.oracle.hierarchy import leaves_of, spread, traverse
@@ -96,6 +96,32 @@ def test_replaced_leaves_hold_the_faces_of_leaves_that_are_left() -> None:
     inner = np.flatnonzero(~leaves_of(tree))
     assert (spoiled.tree.begin[inner] == tree.begin[inner]).all()
     assert (spoiled.tree.end[inner] == tree.end[inner]).all()
+
+
+@pytest.mark.parametrize("name", ["terrain-1200", "dragon-res4"])
+def test_half_of_the_shrunk_boxes_hold_all_below(name: str) -> None:
+    """Nothing sticks out of them by which somebody could tell that a tree was altered."""
+    mesh, tree = planted(name)
+    *_, trial = altered_trials(4, name, mesh, tree)
+    low, high, used = trial.tree.low, trial.tree.high, tree.end > tree.begin
+    changed = np.flatnonzero((high != tree.high).any(axis=1))
+    tops = [int(node) for node in changed if (node - 1) // 2 not in changed]
+    assert len(tops) == SHRUNK
+
+    def holds_all(node: int) -> bool:
+        rows = below(node, used)
+        inside = (low[rows] >= low[node]).all() and (high[rows] <= high[node]).all()
+        return bool(inside)
+
+    assert sorted(map(holds_all, tops)) == [False] * (SHRUNK // 2) + [True] * (SHRUNK // 2)
+
+
+def below(node: int, used: Mask) -> list[int]:
+    """List the used nodes below one."""
+    rows = [node]
+    for one in rows:
+        rows += [k for k in (2 * one + 1, 2 * one + 2) if k < used.size and used[k]]
+    return rows[1:]
 
 
 def test_a_plain_traversal_is_counted_by_hand() -> None:
