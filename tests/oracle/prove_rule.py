@@ -62,7 +62,7 @@ def sizes() -> dict[str, Size]:
 
 
 def too_much(name: str) -> bool:
-    """Tell whether a shape has no face, more than a night has time for, or is no place for rays.
+    """Tell whether a shape has no face, too many for a night, or is no place for rays.
 
     There normals are too small or large for a float, or no face has an area.
     """
