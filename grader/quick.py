@@ -23,6 +23,11 @@ CHECKS = (
     "hits.record-is-complete",
     "bvh.leaves-hold-at-most-four",
     "bvh.rebuild-starts-afresh",
+    "work.uses-the-tree",
+    "work.excludes-most-triangles",
+    "bvh.face-indices-are-a-permutation",
+    "hits.closest-wins",
+    "bvh.root-holds-all-faces",
 )
 
 SLOW_BUILDS = frozenset((Further.SANITIZED, Further.DEEP))

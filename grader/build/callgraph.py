@@ -28,6 +28,12 @@ MAX_BYTES = 64 << 20
 """A textbook solution has 25,000 rows of 25 bytes; a macro can make 200 million. A row takes
 5 microseconds."""
 
+MOST_OWNERS = 16
+"""Functions that a row may lie in. A compiler's do not overlap; inline assembly adds a few."""
+
+MOST_NAMED = 16 << 20
+"""Bytes of all different names together; a file full of ranges has one million."""
+
 _KINDS = (b"function", b"object")
 _SYMBOL = re.compile(rb'^\s*\.type\s+"?([\w.$\x80-\xff]{1,4096})"?,\s*[@%](function|object)')
 _ALIAS = re.compile(
@@ -45,6 +51,10 @@ _DATA = {b"stdin", b"stdout", b"stderr", b"environ"}
 _TABLE = re.compile(rb"^\.(?:quad|xword|8byte)\s+([\w.$\x80-\xff]{1,4096})")
 _FILE = re.compile(rb'^\s*\.file\s+(\d+)\s+(?:"[^"\n]*"\s+)?"([^"\n]*)"')
 _LINE = re.compile(rb"^\s*\.loc\s+(\d+)\s+(\d{1,7})\b")
+
+
+class Tangled(Exception):
+    """A text would take hours to read, which no compiler writes by itself."""
 
 
 @dataclass(slots=True)
@@ -65,7 +75,11 @@ class _Read:
 
 
 def read_assembly(text: bytes) -> CallGraph:
-    """List the calls, and the line of the student's file at which each function begins."""
+    """List the calls, and the line of the student's file at which each function begins.
+
+    Raises:
+        Tangled: Too many functions overlap, or their names are too long.
+    """
     rows = text.split(b"\n")
     own = {match[1] for row in rows if (match := _FILE.match(row)) and _is_own(match[2])}
     symbols = [match for row in rows if (match := _SYMBOL.match(row))]
@@ -78,6 +92,9 @@ def read_assembly(text: bytes) -> CallGraph:
         elif not read.is_full:
             _note(read, owner, row)
             read.selves |= dict.fromkeys(filter(None, [frames[owner].read(row)]))
+    named = {name for pair in (*read.calls, *read.taken) for name in pair}
+    if sum(map(len, named)) > MOST_NAMED:
+        raise Tangled
     return CallGraph(
         calls=_pairs(read.calls),
         lines=tuple((_text(name), line) for name, line in read.lines.items()),
@@ -110,6 +127,8 @@ def _placed(rows: list[bytes], read: _Read) -> Iterator[tuple[bytes, bytes]]:
             table = name if name in read.objects else b""
             if name in read.functions and ends.get(name, 0) > number:
                 inside[name] = None
+                if len(inside) > MOST_OWNERS:
+                    raise Tangled
         elif end := _END.match(row):
             table = b""
             if ends[end[1]] == number:

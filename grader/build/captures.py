@@ -10,7 +10,7 @@ machines nothing is found, and nobody is blamed for that.
 import re
 from dataclasses import dataclass, field
 
-_MOVE = re.compile(rb"^\s*(lea|mov)q\s+([^,#]+?),\s*([^,#\s]+)")
+_MOVE = re.compile(rb"^\s*(lea|mov)q\s+([^,#\s][^,#]*),\s*([^,#\s]+)")
 _SLOT = re.compile(rb"^(-\d{1,9})\(%rbp\)$")
 _FILL = re.compile(rb"^\s*callq?\s+(_ZNSt8functionI[\w.$\x80-\xff]{1,4096})")
 _FILLING = re.compile(rb"E(?:C[12]I|aSI)")

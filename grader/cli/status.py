@@ -26,6 +26,9 @@ INTERRUPTED = 130
 LONGEST_TRACEBACK = 100_000
 """Characters; it may quote a stranger, and a maintainer prints it."""
 
+ALL_TRACEBACKS = 10 << 20
+"""Bytes that are kept; beyond them the oldest ones go."""
+
 
 class GraderGroup(click.Group):
     """A group whose commands may raise anything and still end with the right status."""
@@ -89,10 +92,12 @@ def surprise(fault: Exception) -> str:
 def kept(text: str) -> Path:
     """Write a traceback into the cache folder, or into a temporary one if that fails too."""
     try:
+        from grader.entries import drop_oldest
         from grader.resources import cache_folder
 
         folder = cache_folder() / "faults"
         folder.mkdir(mode=0o700, exist_ok=True)
+        drop_oldest(folder, ALL_TRACEBACKS)
     except (GraderError, OSError):
         folder = Path(tempfile.gettempdir())
     handle, name = tempfile.mkstemp(prefix="fault-", suffix=".txt", dir=folder)

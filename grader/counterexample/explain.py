@@ -41,11 +41,13 @@ class Setting:
         A box that was copied is recognised by its corners; of several equal ones the first.
         """
         known = self.path.node.astype(np.int64)
-        boxes = np.concatenate([self.tree.low, self.tree.high], axis=1).view(np.uint32)
-        for step in np.flatnonzero(self.path.is_box & (self.path.node == NO_NODE)):
-            corners = np.ascontiguousarray(self.path.corners[step, :6]).view(np.uint32)
-            same = np.flatnonzero((boxes == corners).all(axis=1))
-            known[step] = same[0] if same.size else -1
+        copied = np.flatnonzero(self.path.is_box & (self.path.node == NO_NODE))
+        if copied.size:
+            boxes = _as_bytes(np.concatenate([self.tree.low, self.tree.high], axis=1))
+            # Backwards, so that the first of several equal ones stays.
+            first = dict(zip(reversed(boxes), reversed(range(len(boxes))), strict=True))
+            sought = _as_bytes(self.path.corners[copied, :6])
+            known[copied] = [first.get(each, -1) for each in sought]
         known[~self.path.is_box | (known >= len(self.tree.end))] = -1
         return known
 
@@ -177,3 +179,8 @@ def false_hit(setting: Setting) -> Explanation:
     step = int(same[-1])
     limits = f"({path.t_min[step]:.9g}, {path.t_max[step]:.9g})"
     return Explanation(f"t = {found:.9g} is from a face that was tested with t in {limits}")
+
+
+def _as_bytes(rows: Floats) -> list[bytes]:
+    """Give each row of (N, 6) float32 as its bytes, so that equal means the same bits."""
+    return [row.tobytes() for row in np.ascontiguousarray(rows, dtype=np.float32)]

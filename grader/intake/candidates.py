@@ -13,6 +13,9 @@ MOST_ENTRIES = 20_000
 MOST_COPIES = 8
 """Files called `exercise03.cpp` that are read, to see whether all say the same."""
 
+LONGEST_PATH = 4096
+"""Characters of a path that are read; an archive may list ones of 65,535."""
+
 _JUNK = "__MACOSX"
 _ALMOST = re.compile(r"exercise.?0?3( ?\(\d+\))?\.(cpp|cc|cxx)(\.txt)?", re.IGNORECASE)
 _TELLING = (".cpp", ".cc", ".cxx", ".zip", ".gz", ".tgz", ".rar", ".7z")
@@ -67,8 +70,8 @@ def is_junk(path: str) -> bool:
 
 
 def parts(path: str) -> list[str]:
-    """The folders and the name in a path of any system."""
-    return path.replace("\\", "/").split("/")
+    """The folders and the name in a path of any system; only the end of an endless one."""
+    return path[-LONGEST_PATH:].replace("\\", "/").split("/")
 
 
 def is_source(path: str) -> bool:

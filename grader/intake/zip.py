@@ -142,7 +142,9 @@ def _wide_numbers(extra: bytes) -> Iterator[int]:
         name, length = _FIELD.unpack_from(extra, at)
         at += _FIELD.size
         if name == _ZIP64:
-            for (number,) in struct.iter_unpack("<Q", extra[at : at + length // 8 * 8]):
+            # A field may be cut off by the end of all of them.
+            whole = min(length, len(extra) - at) // 8 * 8
+            for (number,) in struct.iter_unpack("<Q", extra[at : at + whole]):
                 yield number
         at += length
     raise Damage

@@ -1,12 +1,12 @@
 """What is a submission asked to do, and what is right? All trials of one seed."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple
 
-from grader.model.mesh import Bvh, Mesh, Rays
+from grader.model.mesh import Bvh, Mesh
 from grader.model.trials import (
     AlteredTrial,
     ConstructTrial,
@@ -15,26 +15,20 @@ from grader.model.trials import (
     RepeatTrial,
     TraceTrial,
     Trial,
-    WorkTrial,
 )
 from grader.oracle.altered import altered_trials
-from grader.oracle.brute import NOTHING, answers
-from grader.oracle.bundle import around, beams, stage_for, within
-from grader.oracle.costs import plain_costs
+from grader.oracle.brute import answers
 from grader.oracle.exact import exact_trial, lattice
 from grader.oracle.forms import other_form
-from grader.oracle.meshes import TRACED, construct_meshes, depth_mesh, generator
-from grader.oracle.ordinary import from_inside
-from grader.oracle.rays import Request, joined
+from grader.oracle.meshes import TRACED, construct_meshes, depth_mesh
+from grader.oracle.rays import Request
 from grader.oracle.remember import digest_of, remember
-from grader.oracle.scenes import folder_sha256, image_trials, load_mesh
-from grader.oracle.special import along_axes
+from grader.oracle.scenes import folder_sha256, image_trials
 from grader.oracle.spines import DEEPEST, spine_trial
 from grader.oracle.thicket import thicket, thicket_trial
 from grader.oracle.tracing import deepest_tree, sample, traced
+from grader.oracle.work import Trees, incoherent, work_trials
 from grader.tolerances import MAX_DEPTH
-
-Trees = Callable[[Sequence[Mesh]], list[Bvh]]
 
 SANITIZED = (
     *(f"cloud-{faces}" for faces in (0, 1, 4, 5, 9, 17)),
@@ -67,10 +61,6 @@ REPEATED = (("terrain-1200", "grid-10x10"), ("dragon-res4", "nested-spheres"))
 SAMPLED = (("cloud-1", 40), ("cloud-5", 40), ("terrain-1200", 60), ("dragon-res4", 60))
 """Meshes of the sanitized build in part b, and of how many rays one is taken: a single leaf,
 a tree that ends with its last used node, one with gaps, a deep one."""
-
-WORK = (("dragon-res4", 1_000), ("dragon-res2", 20_000))
-ODD = 500
-"""Rays of each kind in the trial that counts tests for odd rays."""
 
 LATTICES = (0, 2)
 SPINE_STEP = 7
@@ -191,7 +181,7 @@ def drawn(seed: int, trees: Trees) -> Drawn:
     first: tuple[Trial, ...] = (
         *_construct_trials(meshes),
         *_altered(seed, meshes, built),
-        *_work_trials(seed, trees),
+        *work_trials(seed, trees),
         *tracing,
         *_exact_trials(seed, trees),
         *_thicket_trials(seed, trees),
@@ -232,42 +222,6 @@ def _altered(seed: int, meshes: dict[str, Mesh], built: dict[str, Bvh]) -> list[
     ]
 
 
-def _work_trials(seed: int, trees: Trees) -> list[WorkTrial]:
-    """Lay out the trials that count tests, on stored meshes of 11,102 and 202,520 faces."""
-    meshes = [load_mesh(name) for name, _ in WORK]
-    built = trees(meshes)
-    trials = [
-        _work_trial(f"work on {name}", mesh, tree, _incoherent(seed, name, mesh, count))
-        for (name, count), mesh, tree in zip(WORK, meshes, built, strict=True)
-    ]
-    rays = _unusual(seed, meshes[0])
-    return [*trials, _work_trial(f"work on {WORK[0][0]}, odd rays", meshes[0], built[0], rays)]
-
-
-def _work_trial(name: str, mesh: Mesh, tree: Bvh, rays: Rays) -> WorkTrial:
-    boxes, triangles = plain_costs(tree, rays)
-    return WorkTrial(name, mesh, tree, rays, boxes, triangles)
-
-
-def _incoherent(seed: int, name: str, mesh: Mesh, count: int) -> Rays:
-    """Draw rays from all around to anywhere in the box."""
-    stage = stage_for(mesh, generator(seed, name, "work"), lambda _: NOTHING)
-    origin = around(stage, count, 1.0)
-    return beams(origin, within(stage, count) - origin)
-
-
-def _unusual(seed: int, mesh: Mesh) -> Rays:
-    """Draw rays for which somebody may have done without the tree, a third of each kind.
-
-    Together, so that nobody fails who only looks at a ray's limits later than the given box
-    test does: on average that costs little, and testing all faces for one kind a lot.
-    """
-    stage = stage_for(mesh, generator(seed, "work", "odd rays"), lambda _: NOTHING)
-    start = within(stage, ODD)
-    between = beams(start, within(stage, ODD) - start, t_min=0.05, t_max=1.0)
-    return joined([from_inside(stage, ODD), along_axes(stage, ODD), between])
-
-
 def _exact_trials(seed: int, trees: Trees) -> list[TraceTrial]:
     """Lay out the rays in the planes of boxes: each axis is across one lattice at least."""
     meshes = [lattice(seed, up) for up in LATTICES]
@@ -301,7 +255,7 @@ def _repeats(seed: int, meshes: dict[str, Mesh], built: dict[str, Bvh]) -> list[
     """Lay out the trials that ask the same again, on the same and on another mesh."""
     trials = []
     for name, other in REPEATED:
-        rays = _incoherent(seed, name, meshes[name], REPEATED_RAYS)
+        rays = incoherent(seed, name, meshes[name], REPEATED_RAYS)
         trials.append(
             RepeatTrial(
                 name=f"{name}, again and again",

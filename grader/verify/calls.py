@@ -7,7 +7,7 @@ target that may be meant leads to the same verdict: a guess never costs anybody 
 
 import re
 from collections import defaultdict
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterator
 
 from grader.model.stages import Call, CallGraph
 from grader.verify.mangled import STANDARD, is_lifetime, speaks_of_nodes
@@ -93,12 +93,14 @@ def _objects(graph: CallGraph, elsewhere: set[str]) -> Iterator[tuple[str, set[s
         yield call.string, meant - elsewhere
 
 
-def _all_recur(callees: Callees, call: str, targets: Iterable[str]) -> bool:
+def _all_recur(callees: Callees, call: str, targets: Collection[str]) -> bool:
     """Tell whether every target makes the same call again and builds nodes.
 
     Then one of them calls itself in the end, whichever is meant where. A target that only
     sorts may call itself, and one that calls nothing ends it.
     """
+    if not targets:
+        return True
     callers = reverse(callees)
     recur = reachable(callers, [call])
     build = reachable(callers, filter(speaks_of_nodes, names_of(callees)))

@@ -12,6 +12,9 @@ from pathlib import Path
 from tests.cli.test_processes import environment
 
 PATIENCE = 300.0
+TIDYING = 20.0
+"""Seconds that a worker may take to end."""
+
 HERE = ("--host", "127.0.0.1", "--dashboard-address", "127.0.0.1:0")
 
 Process = subprocess.Popen[bytes]
@@ -57,10 +60,16 @@ class Machines:
         return (self.folder / "said").read_text(errors="replace")
 
     def end(self) -> None:
-        """Kill all that are left."""
-        for process in filter(None, [*self.workers, self.scheduler]):
-            process.kill()
-            process.wait()
+        """End all that are left; a worker that may end by itself tidies up."""
+        left = [each for each in (*self.workers, self.scheduler) if each is not None]
+        for process in left:
+            process.terminate()
+        for process in left:
+            try:
+                process.wait(TIDYING)
+            except subprocess.TimeoutExpired:
+                process.kill()
+                process.wait()
 
     def _started(self, code: str, *words: str, **more: str) -> Process:
         with (self.folder / "said").open("ab") as said:

@@ -158,6 +158,30 @@ def test_a_text_that_takes_too_long_is_not_read(text: bytes, readable: bool) -> 
     assert callgraph.is_readable(text) is readable
 
 
+def test_functions_that_overlap_are_not_read() -> None:
+    """Each row would be read once for every one of them."""
+    many = range(callgraph.MOST_OWNERS + 1)
+    heads = "".join(f"\t.type\tf{k}, @function\nf{k}:\n" for k in many)
+    ends = "".join(f"\t.size\tf{k}, 1\n" for k in many)
+    with pytest.raises(callgraph.Tangled):
+        calls(heads + ends)
+
+
+def test_endless_names_are_not_read(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whoever looks into them would take as long as they are."""
+    monkeypatch.setattr(callgraph, "MOST_NAMED", 10)
+    row = "\t.type\t_Z1fv, @function\n_Z1fv:\n\tcall\t{}\n\t.size\t_Z1fv, 9\n"
+    assert calls(row.format("_Z1g"))
+    with pytest.raises(callgraph.Tangled):
+        calls(row.format("_Z9gggggggggv"))
+
+
+def test_a_row_of_blanks_takes_no_time() -> None:
+    """Twice as many take twice as long, not four times: a million would take an hour."""
+    blanks = " " * 3_000_000
+    assert calls(f"\tmovq{blanks}\n\tmovq {blanks}%rax{blanks}\n") == set()
+
+
 FORGED = """
 \t.type\t_ZL4growi, @function
 _ZL4growi:

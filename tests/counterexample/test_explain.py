@@ -1,5 +1,7 @@
 """A hit is lost at the node where it was lost, whatever the submission's process tells."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -138,3 +140,17 @@ def test_a_path_stands_against_what_a_plain_traversal_sees() -> None:
         ("hit", "miss"),
     ]
     assert (table.first_difference, table.got_faces) == (1, "")
+
+
+def test_a_copied_box_is_known_by_its_corners() -> None:
+    """Bit by bit, and of several equal boxes it is the first; other boxes are no node's."""
+    walk = Walk().box(2, known=False).box(0).box(1, known=False).face(0, None)
+    setting = walk.setting()
+    assert setting.nodes().tolist() == [2, 0, 1, -1]
+    low, high = (np.repeat(each[:1], len(each), axis=0) for each in (TREE.low, TREE.high))
+    alike = replace(TREE, low=low, high=high)
+    assert Setting(PILE, alike, Walk().box(0, known=False).setting().path).nodes()[0] == 0
+    corners = setting.path.corners.copy()
+    corners[0, 0] = np.nextafter(corners[0, 0], np.float32(np.inf))
+    other = replace(setting.path, corners=corners)
+    assert Setting(PILE, TREE, other).nodes().tolist() == [-1, 0, 1, -1]

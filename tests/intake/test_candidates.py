@@ -7,12 +7,15 @@ from pathlib import Path
 import pytest
 
 from grader.intake.candidates import (
+    LONGEST_PATH,
     MOST_COPIES,
     MOST_ENTRIES,
     TOO_MANY,
     Entry,
     Fault,
     choose,
+    is_source,
+    parts,
 )
 from grader.intake.locate import locate
 from grader.model.stages import Submission
@@ -135,3 +138,10 @@ def test_an_archive_larger_than_memory_should_hold_is_refused(
     with path.open("r+b") as file:
         file.truncate(2**40)
     assert "larger than 1 MiB" in reason(locate(path, LIMIT))
+
+
+@pytest.mark.parametrize("path", ["/" * 65_535, "a/" * 32_000 + NAME])
+def test_only_the_end_of_an_endless_path_is_read(path: str) -> None:
+    """Dividing all of it for thousands of entries would take seconds."""
+    assert len(parts(path)) <= LONGEST_PATH + 1
+    assert is_source(path) == path.endswith(NAME)

@@ -43,6 +43,12 @@ def wide_entry(*numbers: int) -> bytes:
     return listed_entry(NAME.encode(), CODE, 0xFFFFFFFF, extra)
 
 
+def cut_wide_entry(left: int) -> bytes:
+    """List the file with a ZIP64 field of which only some bytes are there."""
+    extra = struct.pack("<HH", 1, 16) + bytes(left)
+    return listed_entry(NAME.encode(), CODE, 0xFFFFFFFF, extra)
+
+
 def with_list(listed: bytes) -> bytes:
     """Pack the file with another list of contents."""
     return LOCAL + listed + end_record(1, len(listed), len(LOCAL))
@@ -90,6 +96,7 @@ def test_what_is_unusual_but_clear_is_read(tmp_path: Path, content: bytes) -> No
         with_list(wide_entry(1, len(CODE))),
         with_list(wide_entry(1, len(CODE), 2**63)),
         with_list(wide_entry(1, 2**64 - 1, 2**64 - 1)),
+        *(with_list(cut_wide_entry(left)) for left in (0, 1, 4, 8, 12)),
         with_list(listed_entry(NAME.encode(), CODE, 2**31)),
         with_list(listed_entry(NAME.encode(), CODE, 1)),
         with_list(listed_entry(b"src/" + NAME.encode(), CODE)),
