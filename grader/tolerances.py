@@ -15,6 +15,12 @@ MAX_DEPTH = 20
 SMALL_MAX_DEPTH = 6
 """Depth limit of the sanitized build, so that meshes of a few hundred faces reach it."""
 
+
+def depth_limit(small: bool) -> int:
+    """Return the depth limit that a build has, the small one or the real one."""
+    return SMALL_MAX_DEPTH if small else MAX_DEPTH
+
+
 SPLIT_ULPS = 4
 """Units in the last place by which a centre or an extent may differ between right readings.
 

@@ -6,11 +6,11 @@ whose hit can.
 
 - Some leaves get the range of another leaf instead of their own, so that their faces are in no
   leaf. They are not just emptied, since no right tree has an empty leaf below the root.
-- Some inner boxes are shrunk to almost nothing, together with those of their inner children:
-  a traversal may skip the test of the root's box, of a leaf's own box, and of every other
-  level if it looks two levels ahead. Below half of them all boxes are shrunk, so that nothing
-  sticks out by which somebody could tell such a tree. Rays that come near a shrunk box are
-  left out.
+- Some inner boxes are shrunk to almost nothing, together with all inner ones below them: a
+  traversal may skip the test of the root's box, of a leaf's own box, and of all but every
+  fourth level if a node has sixteen children for it. Below half of them leaves are shrunk, too,
+  so that nothing sticks out by which somebody could tell such a tree. Rays that come near a
+  shrunk box are left out.
 """
 
 from dataclasses import dataclass
@@ -39,7 +39,7 @@ SHARE = 0.25
 SHRUNK = 4
 """Inner nodes whose boxes are shrunk."""
 
-ABOVE_LEAVES = 3
+ABOVE_LEAVES = 4
 """Levels between a shrunk node and the highest leaf, at least."""
 
 APART = 1e-2
@@ -97,15 +97,17 @@ def _replaced(tree: Bvh, faces: int, rng: np.random.Generator) -> Alteration:
 
 
 def _shrunk(tree: Bvh, faces: int, rng: np.random.Generator) -> Alteration:
-    """Shrink the boxes of some inner nodes and of their children."""
+    """Shrink the boxes of some inner nodes and of those below."""
     first = (1 << _shrunk_level(tree)) - 1
     nodes = first + rng.choice(first + 1, SHRUNK, replace=False)
     low, high = tree.low.copy(), tree.high.copy()
     near = np.stack([low[nodes], low[nodes] + (high[nodes] - low[nodes]) * 0.1], axis=1)
     tiny = low[nodes] + (high[nodes] - low[nodes]) * np.float32(1e-3)
-    count = 0
+    leaves, count = leaves_of(tree), 0
     for k, node in enumerate(nodes):
-        below = _subtree(tree, node, None if k < SHRUNK // 2 else 2)
+        below = _subtree(tree, node)
+        if k < SHRUNK // 2:
+            below = below[~leaves[below]]
         low[below], high[below] = tree.low[node], tiny[k]
         count += below.size
     spoiled = Bvh(low, high, tree.begin, tree.end, tree.order, tree.node_count)
@@ -117,10 +119,10 @@ def _shrunk(tree: Bvh, faces: int, rng: np.random.Generator) -> Alteration:
     return Alteration(spoiled, _faces_below(tree, nodes, faces), near, change)
 
 
-def _subtree(tree: Bvh, root: int, levels: int | None) -> Integers:
-    """Return (K,) a node and the used nodes below it, down to some level or to the leaves."""
+def _subtree(tree: Bvh, root: int) -> Integers:
+    """Return (K,) a node and the used nodes below it."""
     rows = [np.array([root])]
-    while rows[-1].size and len(rows) != levels:
+    while rows[-1].size:
         below = np.concatenate([2 * rows[-1] + 1, 2 * rows[-1] + 2])
         below = below[below < len(tree.end)]
         rows.append(below[tree.end[below] > tree.begin[below]])

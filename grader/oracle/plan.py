@@ -17,17 +17,17 @@ from grader.model.trials import (
     Trial,
 )
 from grader.oracle.altered import altered_trials
-from grader.oracle.brute import answers
 from grader.oracle.exact import exact_trial, lattice
 from grader.oracle.forms import other_form
 from grader.oracle.meshes import TRACED, construct_meshes, depth_mesh
 from grader.oracle.rays import Request
 from grader.oracle.remember import digest_of, remember
+from grader.oracle.repeated import TWIN, repeat_trials
 from grader.oracle.scenes import folder_sha256, image_trials
 from grader.oracle.spines import DEEPEST, spine_trial
 from grader.oracle.thicket import thicket, thicket_trial
 from grader.oracle.tracing import deepest_tree, sample, traced
-from grader.oracle.work import Trees, incoherent, work_trials
+from grader.oracle.work import Trees, work_trials
 from grader.tolerances import MAX_DEPTH
 
 SANITIZED = (
@@ -54,10 +54,6 @@ REBUILT = (
 ALTERED = ("terrain-1200", "dragon-res4", "cloud-37")
 """Meshes of altered trees: on a small one too nobody may do without the tree."""
 
-REPEATED_RAYS = 5_000
-"""So many that threads really run at the same time: several milliseconds."""
-
-REPEATED = (("terrain-1200", "grid-10x10"), ("dragon-res4", "nested-spheres"))
 SAMPLED = (("cloud-1", 40), ("cloud-5", 40), ("terrain-1200", 60), ("dragon-res4", 60))
 """Meshes of the sanitized build in part b, and of how many rays one is taken: a single leaf,
 a tree that ends with its last used node, one with gaps, a deep one."""
@@ -188,7 +184,7 @@ def drawn(seed: int, trees: Trees) -> Drawn:
         *_sampled(tracing),
     )
     faults = tuple((each.trial.name, each.fault) for each in made if each.fault)
-    return Drawn(first, tuple(_repeats(seed, meshes, built)), faults)
+    return Drawn(first, tuple(repeat_trials(seed, meshes, built, trees)), faults)
 
 
 def deeper_trials(seed: int) -> list[TraceTrial]:
@@ -203,6 +199,9 @@ def depth_trial(seed: int) -> ConstructTrial:
 
 def _construct_trials(meshes: dict[str, Mesh]) -> list[Trial]:
     """Lay out part a."""
+    twin = meshes[TWIN]
+    # The same vertices, box and numbers, so only who looks at the faces sees a difference.
+    reverse = Mesh(twin.vertices, twin.faces[::-1].copy())
     return [
         *(ConstructTrial(f"tree over {name}", mesh) for name, mesh in meshes.items()),
         *(
@@ -210,6 +209,7 @@ def _construct_trials(meshes: dict[str, Mesh]) -> list[Trial]:
             for name in SANITIZED
         ),
         *(RebuildTrial(f"tree over {a}, {b}, {a}", meshes[a], meshes[b]) for a, b in REBUILT),
+        RebuildTrial(f"tree over {TWIN}, its faces in reverse, {TWIN}", twin, reverse),
     ]
 
 
@@ -249,23 +249,3 @@ def spine_trials(seed: int, deepest: int) -> list[TraceTrial]:
     """Lay out the tree that is as deep as trees may be, for both builds."""
     trial = spine_trial(seed, deepest)
     return [trial, sample(trial, SPINE_STEP, f"{trial.name}, sanitized")]
-
-
-def _repeats(seed: int, meshes: dict[str, Mesh], built: dict[str, Bvh]) -> list[RepeatTrial]:
-    """Lay out the trials that ask the same again, on the same and on another mesh."""
-    trials = []
-    for name, other in REPEATED:
-        rays = incoherent(seed, name, meshes[name], REPEATED_RAYS)
-        trials.append(
-            RepeatTrial(
-                name=f"{name}, again and again",
-                mesh=meshes[name],
-                tree=built[name],
-                other_mesh=meshes[other],
-                other_tree=built[other],
-                rays=rays,
-                answers=answers(meshes[name], rays, built[name]),
-                other_answers=answers(meshes[other], rays, built[other]),
-            )
-        )
-    return trials

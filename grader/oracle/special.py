@@ -184,8 +184,16 @@ rule of closest hits allows.
 SOME = 4_000
 """Vertices among which the outermost is looked for."""
 
+
+def between_points(stage: Stage, count: int) -> Rays:
+    """From a point around the mesh to one in its box, where t is 1: as a shadow ray goes."""
+    start = around(stage, count)
+    return beams(start, within(stage, count) - start, t_max=1.0)
+
+
 SPECIAL = {
     "on-surface": on_face,
+    "between-points": between_points,
     "t-interval": t_interval,
     "any-length": any_length,
     "along-axes": along_axes,

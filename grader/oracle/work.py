@@ -60,5 +60,6 @@ def _unusual(seed: int, mesh: Mesh) -> Rays:
     """
     stage = stage_for(mesh, generator(seed, "work", "odd rays"), lambda _: NOTHING)
     start = within(stage, ODD)
-    between = beams(start, within(stage, ODD) - start, t_min=0.05, t_max=1.0)
+    t_min = stage.rng.choice([0.0, 0.05], ODD)
+    between = beams(start, within(stage, ODD) - start, t_min, t_max=1.0)
     return joined([from_inside(stage, ODD), along_axes(stage, ODD), between])

@@ -37,7 +37,7 @@ from grader.run.transfer import (
     replace_mesh,
     trace,
 )
-from grader.tolerances import FACES_PER_LEAF, MAX_DEPTH, SMALL_MAX_DEPTH
+from grader.tolerances import FACES_PER_LEAF, depth_limit
 
 THREADS = 4
 ROUNDS = 4
@@ -87,13 +87,17 @@ def _construct(job: Job, trial: ConstructTrial) -> ReadOne:
     slot = give_mesh(job, trial.mesh)
     job.do(Op.CONSTRUCT, slot, slot)
     tree = read_tree(job, slot, trial.mesh)
-    max_depth = SMALL_MAX_DEPTH if trial.sanitized else MAX_DEPTH
+    max_depth = depth_limit(trial.sanitized)
     limited = len(trial.mesh.faces) > FACES_PER_LEAF << max_depth
 
     def read(result: Result, _: Ending) -> tuple[Case, ...]:
+        made: tuple[Case, ...] = ()
         if limited:
-            return (DepthCase(trial.name, trial, tree(result), max_depth),)
-        return () if trial.sanitized else (TreeCase(trial.name, trial, tree(result)),)
+            made = (DepthCase(trial.name, trial, tree(result), max_depth),)
+        # At the small limit a tree is looked at like any other; the huge one takes too long.
+        if limited == trial.sanitized:
+            made += (TreeCase(trial.name, trial, tree(result)),)
+        return made
 
     return read
 
@@ -195,7 +199,8 @@ def _repeat(trial: RepeatTrial) -> Request:
     elsewhere = trace(job, other, rays)
     replace_mesh(job, other, trial.mesh)
     give_tree(job, other, trial.tree)
-    moved = trace(job, other, rays)
+    # The ray that was last there comes first.
+    moved = trace(job, other, _reversed(rays))
     after = trace(job, slot, rays)
     together = [trace(job, slot, rays, THREADS) for _ in range(ROUNDS)]
     cold = Job()
@@ -207,7 +212,7 @@ def _repeat(trial: RepeatTrial) -> Request:
             ("in reverse order", _reversed_hits(backwards(result).hits[0])),
             ("a second time", again(result).hits[0]),
             ("after rays on another mesh", after(result).hits[0]),
-            ("where another mesh was", moved(result).hits[0]),
+            ("where another mesh was", _reversed_hits(moved(result).hits[0])),
             *(
                 (f"from {THREADS} threads at once", hits)
                 for threads in together

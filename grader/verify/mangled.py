@@ -7,11 +7,11 @@ STANDARD = re.compile(r"_ZN?K?(St|Sa|Ss|9__gnu_cxx)|_Zn|_Zd")
 """Functions of the standard library, and the operators new and delete."""
 
 TREE_TYPES = re.compile(
-    r"(?<!\d)(3BVH4Node|4AABB(?![CD]\d|aS))|NS\w?_4Node|_ZN?K?3BVH14getFaceIndices"
+    r"(?<!\d)3BVH4Node|NS\w?_4Node|_ZN?K?3BVH14getFaceIndices|_ZN4AABB6extend"
 )
-"""Mangled names that speak of nodes or boxes: whoever calls these builds the tree.
+"""Mangled names that speak of nodes, or make boxes grow: whoever calls these builds the tree.
 
-A sorting helper only touches face indices and centres, so it never reaches one of them.
+A sorting helper only touches faces and centres. It may keep a face's box beside the face.
 """
 
 TOKEN = re.compile(r"S[0-9A-Z]*_|T\d*_|L[a-z]n?\d+E|(?P<length>\d+)|.")

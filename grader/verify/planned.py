@@ -27,7 +27,7 @@ from grader.model.trials import (
     Trial,
     WorkTrial,
 )
-from grader.tolerances import FACES_PER_LEAF, MAX_DEPTH, SMALL_MAX_DEPTH
+from grader.tolerances import FACES_PER_LEAF, depth_limit
 from grader.verify.check import Check
 
 DELIVERED: dict[type, type] = {
@@ -85,8 +85,7 @@ def kinds_of(trial: Trial) -> tuple[type, ...]:
 
 
 def _construct_kinds(trial: ConstructTrial) -> tuple[type, ...]:
-    max_depth = SMALL_MAX_DEPTH if trial.sanitized else MAX_DEPTH
     ended = MemoryCase if trial.sanitized else SurvivalCase
-    if len(trial.mesh.faces) > FACES_PER_LEAF << max_depth:
-        return (ended, DepthCase)
-    return (ended,) if trial.sanitized else (ended, TreeCase)
+    limited = len(trial.mesh.faces) > FACES_PER_LEAF << depth_limit(trial.sanitized)
+    depth = (DepthCase,) if limited else ()
+    return (ended, *depth, TreeCase) if limited == trial.sanitized else (ended, *depth)

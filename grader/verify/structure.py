@@ -7,7 +7,7 @@ from grader.model.mesh import Bvh, Mesh
 from grader.model.stages import Stop
 from grader.model.trials import ConstructTrial, RebuildTrial, Trial
 from grader.model.verdict import Evidence, Example
-from grader.tolerances import FACES_PER_LEAF, NODE_CAPACITY
+from grader.tolerances import FACES_PER_LEAF, NODE_CAPACITY, depth_limit
 from grader.verify.check import check, judged, one, vector
 from grader.verify.tree import shape
 
@@ -132,23 +132,31 @@ def _range(bvh: Bvh, node: int) -> str:
 
 @check(TreeCase, "bvh.leaves-hold-at-most-four", needs=READABLE, when=has_faces)
 def leaves_hold_at_most_four(case: TreeCase) -> Evidence:
-    """A node is split if and only if it holds more than four faces."""
+    """A node is split if and only if it holds more than four faces.
+
+    Nodes on the last level that the depth limit allows are not split either.
+    """
     bvh, form = case.bvh, shape(case.bvh)
     if case.trial.full_levels and _stops_at_a_full_level(case):
         return one(None)
     held = bvh.end[form.reached].astype(np.int64) - bvh.begin[form.reached]
     split = np.isin(form.reached, form.inner, assume_unique=True)
+    wrong = split != (held > FACES_PER_LEAF)
+    limit = depth_limit(case.trial.sanitized)
+    if limit - 1 <= form.depth <= limit:
+        # Level k begins with node 2^k - 1.
+        wrong &= form.reached < (1 << form.depth) - 1
 
     def describe(k: int) -> Example:
         node, done = int(form.reached[k]), "is split" if split[k] else "is a leaf"
-        limit = "at most 4 are not split" if split[k] else "more than 4 are split"
+        rule = "at most 4 are not split" if split[k] else "more than 4 are split"
         return Example(
-            f"node {node} holds {held[k]:,} faces and {done}, but nodes of {limit}",
+            f"node {node} holds {held[k]:,} faces and {done}, but nodes of {rule}",
             f"a leaf of at most {FACES_PER_LEAF} faces",
             f"node {node} with {held[k]:,} faces {done}",
         )
 
-    return judged(split != (held > FACES_PER_LEAF), describe)
+    return judged(wrong, describe)
 
 
 def _stops_at_a_full_level(case: TreeCase) -> bool:

@@ -1,0 +1,63 @@
+"""What is asked again and again, and may not be answered from memory?"""
+
+import numpy as np
+
+from grader.model.mesh import Bvh, Mesh, Rays
+from grader.model.trials import RepeatTrial
+from grader.oracle.brute import answers, chosen
+from grader.oracle.tracing import answers_of
+from grader.oracle.work import Trees, incoherent
+
+REPEATED_RAYS = 5_000
+"""So many that threads really run at the same time: several milliseconds."""
+
+REPEATED = (("terrain-1200", "grid-10x10"), ("dragon-res4", "nested-spheres"))
+TWIN = "cloud-37"
+"""The mesh that has twins: one with its faces in another order, one point-reflected."""
+
+Scene = tuple[Mesh, Bvh]
+
+
+def repeat_trials(
+    seed: int, meshes: dict[str, Mesh], built: dict[str, Bvh], trees: Trees
+) -> list[RepeatTrial]:
+    """Lay out the trials that ask the same again, on the same and on another mesh.
+
+    The last pair has the same faces and numbers of everything, but its vertices lie elsewhere.
+
+    Args:
+        seed: Of the run.
+        meshes: By name.
+        built: Trees over them.
+        trees: Builds the reference's tree of each mesh.
+    """
+    twin = Mesh(-meshes[TWIN].vertices, meshes[TWIN].faces)
+    pairs = [(name, (meshes[other], built[other])) for name, other in REPEATED]
+    pairs += [(TWIN, (twin, tree)) for tree in trees([twin])]
+    return [
+        _trial(
+            name,
+            (meshes[name], built[name]),
+            other,
+            incoherent(seed, name, meshes[name], REPEATED_RAYS),
+        )
+        for name, other in pairs
+    ]
+
+
+def _trial(name: str, scene: Scene, other: Scene, rays: Rays) -> RepeatTrial:
+    """Put a ray last that hits one of the meshes only: it tells who keeps the last answer."""
+    found, theirs = (answers(mesh, rays, tree) for mesh, tree in (scene, other))
+    tells = np.flatnonzero(np.isfinite(found.limit) != np.isfinite(theirs.limit))
+    order = np.arange(len(rays.t_min))
+    order[[-1, *tells[:1]]] = order[[*tells[:1], -1]]
+    return RepeatTrial(
+        name=f"{name}, again and again",
+        mesh=scene[0],
+        tree=scene[1],
+        other_mesh=other[0],
+        other_tree=other[1],
+        rays=chosen(rays, order),
+        answers=answers_of(found, order),
+        other_answers=answers_of(theirs, order),
+    )

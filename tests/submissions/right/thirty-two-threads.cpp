@@ -1,0 +1,105 @@
+// right: 32 threads, whatever the machine has, compute centres into buffers of their own before a plain loop builds the tree
+#include "bvh.h"
+#include "intersection.h"
+#include "mesh.h"
+#include <thread>
+
+namespace {
+
+constexpr size_t numThreads = 32;
+
+std::vector<Point3D> centresOf(const Mesh& mesh) {
+    const size_t numFaces = mesh.getFaces().size(), share = (numFaces + numThreads - 1) / numThreads;
+    std::vector<std::vector<Point3D>> parts(numThreads);
+    {
+        std::vector<std::jthread> threads;
+        for (size_t part = 0; part < numThreads; ++part)
+            threads.emplace_back([&mesh, &own = parts[part], share, part, numFaces] {
+                const size_t begin = std::min(numFaces, part * share), end = std::min(numFaces, begin + share);
+                std::vector<Point3D> found; // grows in this thread's arena
+                for (size_t k = begin; k < end; ++k) {
+                    const Triangle t = mesh.getTriangleFromFaceIndex(k);
+                    found.push_back((t.v1 + t.v2 + t.v3) / 3.0f);
+                }
+                own = std::move(found);
+            });
+    } // joined here
+    std::vector<Point3D> joined;
+    joined.reserve(numFaces);
+    for (const auto& part : parts)
+        joined.insert(joined.end(), part.begin(), part.end());
+    return joined;
+}
+
+[[maybe_unused]] std::vector<Point3D> centresOfInOneThread(const Mesh& mesh) {
+    std::vector<Point3D> centres;
+    centres.reserve(mesh.getFaces().size());
+    for (const TriangleIndices& face : mesh.getFaces()) {
+        const Triangle t = mesh.getTriangleFromFace(face);
+        centres.push_back((t.v1 + t.v2 + t.v3) / 3.0f);
+    }
+    return centres;
+}
+
+AABB boxOf(const Mesh& mesh, std::span<const uint32_t> faces) {
+    AABB box;
+    for (const uint32_t face : faces) {
+        const Triangle t = mesh.getTriangleFromFaceIndex(face);
+        box.extend(t.v1);
+        box.extend(t.v2);
+        box.extend(t.v3);
+    }
+    return box;
+}
+
+} // namespace
+
+void BVH::construct(const Mesh& mesh) {
+    const auto numFaces = static_cast<uint32_t>(mesh.getFaces().size());
+    faceIndices.resize(numFaces);
+    std::iota(faceIndices.begin(), faceIndices.end(), 0u);
+    nodes.assign(1, Node{mesh.getBounds(), 0, numFaces});
+    const std::vector<Point3D> centres = centresOf(mesh);
+    for (size_t i = 0; i < nodes.size() && std::bit_width(i + 1) <= maxDepth; ++i) {
+        const Node node = nodes[i];
+        if (node.facesEnd - node.facesBegin <= numFacesPerLeaf)
+            continue;
+        const uint32_t middle = node.facesBegin + (node.facesEnd - node.facesBegin) / 2;
+        const size_t axis = node.bounds.extents().maxDimension();
+        std::nth_element(faceIndices.begin() + node.facesBegin, faceIndices.begin() + middle, faceIndices.begin() + node.facesEnd,
+                         [&](uint32_t a, uint32_t b) { return centres[a][axis] < centres[b][axis]; });
+        if (nodes.size() < 2 * i + 3)
+            nodes.resize(2 * i + 3);
+        const std::span<const uint32_t> all(faceIndices);
+        nodes[2 * i + 1] = {boxOf(mesh, all.subspan(node.facesBegin, middle - node.facesBegin)), node.facesBegin, middle};
+        nodes[2 * i + 2] = {boxOf(mesh, all.subspan(middle, node.facesEnd - middle)), middle, node.facesEnd};
+    }
+}
+
+Intersection intersect(const Mesh& mesh, const IntersectionRay& ray) {
+    const std::vector<BVH::Node>& nodes = mesh.getBVH().getNodes();
+    Intersection closest;
+    IntersectionRay rest(ray);
+    std::vector<size_t> open;
+    if (!nodes.empty())
+        open.push_back(0);
+    while (!open.empty()) {
+        const size_t i = open.back();
+        open.pop_back();
+        if (!intersect(nodes[i].bounds, rest))
+            continue;
+        if (2 * i + 2 < nodes.size() && nodes[2 * i + 1].facesEnd != 0) {
+            open.push_back(2 * i + 2);
+            open.push_back(2 * i + 1);
+            continue;
+        }
+        for (const uint32_t face : mesh.getBVH().getFaceIndices(nodes[i])) {
+            const Intersection hit = intersect(mesh.getTriangleFromFaceIndex(face), rest);
+            if (hit) {
+                closest = hit;
+                rest.t_max = hit.t;
+            }
+        }
+    }
+    return closest;
+}
