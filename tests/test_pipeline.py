@@ -116,6 +116,8 @@ def test_a_submission_that_takes_all_of_the_time_still_gets_a_grade(tmp_path: Pa
     """What did not run any more is named, costs its own points, and nothing is withheld."""
     path = tmp_path / "sleeps.cpp"
     path.write_text(SLEEPS)
+    # Else most of the time goes to the plan, which is nobody's fault.
+    Solution().plan(41)
     grade = grade_one(path, Options(41, None, (), lambda *_: None, time_limit=24.0))
     survival = {one.check: one for one in grade.checks if ".survives-" in one.check}
     assert {one.verdict for one in survival.values()} == {Verdict.FAIL}
@@ -180,7 +182,8 @@ def test_only_the_asked_checks_are_scored() -> None:
     assert scored == {"bvh.boxes-are-tight": Verdict.PASS}
     assert grade.max_score == 4
     assert grade.build
-    assert (grade.build.sanitized, grade.build.deep) == (None, None)
+    # Trees at the depth limit come from the build with the small one.
+    assert (grade.build.sanitized is not None, grade.build.deep) == (True, None)
     assert grade.build.calls, "reports name the lines of functions"
 
 
@@ -246,7 +249,7 @@ def test_a_hidden_check_leaves_no_trace_in_a_student_s_result(tmp_path: Path) ->
     only = ("bvh.leaves-hold-at-most-four", "bvh.depth-is-limited")
     results = []
     for path in (
-        corpus_folder() / "wrong" / "boxes-third-vertex-twice.cpp",
+        corpus_folder() / "wrong" / "leaves-without-boxes.cpp",
         reference_source(),
     ):
         result = comparable(graded(path, *only, rubric=rubric, for_student=True))

@@ -17,7 +17,7 @@ from grader.model.trials import (
     WorkTrial,
 )
 from grader.oracle import plan as module
-from grader.oracle import tracing
+from grader.oracle import repeated, tracing, work
 from grader.oracle.hierarchy import leaves_of
 from grader.oracle.meshes import SHAPES
 from grader.oracle.plan import Plan, kept_plan, make_plan
@@ -57,9 +57,11 @@ def _small(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(module, "SANITIZED", ("cloud-0", "cloud-5"))
     monkeypatch.setattr(module, "REBUILT", (("cloud-9", "cloud-0"),))
     monkeypatch.setattr(module, "ALTERED", ("terrain-1200",))
-    monkeypatch.setattr(module, "REPEATED", (("cloud-37", "terrain-1200"),))
-    monkeypatch.setattr(module, "REPEATED_RAYS", 50)
-    monkeypatch.setattr(module, "WORK", (("nested", 50),))
+    monkeypatch.setattr(repeated, "REPEATED", (("terrain-1200", "cloud-5"),))
+    monkeypatch.setattr(repeated, "REPEATED_RAYS", 50)
+    monkeypatch.setattr(work, "WORK", (("nested", 50),))
+    monkeypatch.setattr(work, "ODD", 10)
+    monkeypatch.setattr("grader.oracle.thicket.FACES", 200)
     monkeypatch.setattr(module, "DEEPEST", 6)
     monkeypatch.setattr(module, "image_trials", lambda *_: [])
 

@@ -1,4 +1,4 @@
-// expect: bvh.depth-is-limited
+// expect: bvh.leaves-hold-at-most-four
 // untouched: b
 // mistake: The depth is log2(i + 1) rounded up instead of down, one too much for all but the first node of a level.
 #include "bvh.h"
