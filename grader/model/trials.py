@@ -97,6 +97,9 @@ class WorkTrial:
     triangle_tests: float
     """Mean calls of the triangle test per ray of the same plain traversal."""
 
+    slack: float = 1.0
+    """How many times as much as usual may be wasted."""
+
 
 @dataclass(frozen=True, slots=True)
 class RepeatTrial:

@@ -1,6 +1,7 @@
 """How much may a ray cost? Trials whose tests are counted, and whose time is taken."""
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 from grader.model.mesh import Bvh, Mesh, Rays
 from grader.model.trials import WorkTrial
@@ -22,6 +23,10 @@ time, for who tests by itself is not counted."""
 ODD = 5_000
 """Rays of each kind in the trial of odd rays."""
 
+ODD_SLACK = 3.0
+"""Measured: the least sharp right submission takes 4.3 times the tests of a plain traversal, and
+who tests all faces for a sixth of the rays 19 times."""
+
 
 def work_trials(seed: int, trees: Trees) -> list[WorkTrial]:
     """Lay out the trials, on stored meshes of 11,102 and 202,520 faces.
@@ -37,7 +42,8 @@ def work_trials(seed: int, trees: Trees) -> list[WorkTrial]:
         for (name, count), mesh, tree in zip(WORK, meshes, built, strict=True)
     ]
     rays = _unusual(seed, meshes[0])
-    return [*trials, _work_trial(f"work on {WORK[0][0]}, odd rays", meshes[0], built[0], rays)]
+    odd = _work_trial(f"work on {WORK[0][0]}, odd rays", meshes[0], built[0], rays)
+    return [*trials, replace(odd, slack=ODD_SLACK)]
 
 
 def _work_trial(name: str, mesh: Mesh, tree: Bvh, rays: Rays) -> WorkTrial:
@@ -55,8 +61,8 @@ def incoherent(seed: int, name: str, mesh: Mesh, count: int) -> Rays:
 def _unusual(seed: int, mesh: Mesh) -> Rays:
     """Draw rays for which somebody may have done without the tree, a third of each kind.
 
-    Together, so that nobody fails who only looks at a ray's limits later than the given box
-    test does: on average that costs little, and testing all faces for one kind a lot.
+    Together, and with slack, so that nobody fails whose own box test is less sharp for some
+    of them, or who looks at a ray's limits later: testing all faces for one kind costs more.
     """
     stage = stage_for(mesh, generator(seed, "work", "odd rays"), lambda _: NOTHING)
     start = within(stage, ODD)

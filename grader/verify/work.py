@@ -70,7 +70,7 @@ def _wasteful(case: WorkCase) -> Example | None:
     """Compare the counted tests with a plain traversal's."""
     tests = case.box_tests + case.triangle_tests
     plain = case.trial.box_tests + case.trial.triangle_tests
-    allowed = WASTE * plain
+    allowed = WASTE * case.trial.slack * plain
     if tests <= allowed:
         return None
     return Example(
