@@ -47,7 +47,7 @@ uint32_t ex03_faces_per_leaf(void);
 ex03_mesh* ex03_mesh_create(const float* vertices, uint64_t vertex_count, const uint32_t* faces,
                             uint64_t face_count);
 void ex03_mesh_destroy(ex03_mesh* mesh);
-/* Puts other arrays into a mesh where it lies, as `mesh = Mesh(...)` does; its tree is empty then. */
+/* Puts other arrays into a mesh where it lies, as `mesh = Mesh(...)` does; its tree is empty. */
 int32_t ex03_mesh_replace(ex03_mesh* mesh, const float* vertices, uint64_t vertex_count,
                           const uint32_t* faces, uint64_t face_count);
 /* The mesh's own tree, which intersect uses. The mesh owns it: never destroy it. */
