@@ -16,11 +16,11 @@ from grader.oracle.special import along_axes
 
 Trees = Callable[[Sequence[Mesh]], list[Bvh]]
 
-WORK = (("dragon-res4", 20_000), ("dragon-res2", 20_000))
+WORK = (("dragon-res4", 10_000), ("dragon-res2", 20_000))
 """Meshes and how many rays: on 11,102 faces, too, so many that testing all of them shows in the
 time, for who tests by itself is not counted."""
 
-ODD = 5_000
+ODD = 1_500
 """Rays of each kind in the trial of odd rays."""
 
 ODD_SLACK = 3.0
