@@ -26,7 +26,7 @@ is the distance from the floor. Of it were removed:
 - a file that was compiled before is not compiled again (`grader/build/remembered.py`);
 - pictures are shaded and encoded two at a time, beside the worker that traces their shadows;
 - a run of `build.compiles` or `source.construct-loops` alone draws no plan;
-- `bvhgrade check --quick` builds nothing with sanitizers, draws nothing, and runs fifteen checks:
+- `bvhgrade check --quick` builds nothing with sanitizers, draws nothing, and runs few checks:
   2.7 s on the clock for the model solution, of which 1.1 s go by while it compiles and 0.5 s
   are its workers'.
 
