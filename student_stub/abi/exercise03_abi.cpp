@@ -29,17 +29,12 @@ static_assert(std::endian::native == std::endian::little);
 namespace ex03 {
 namespace {
 
-Mesh& unwrap(ex03_mesh* mesh) {
-    return *reinterpret_cast<Mesh*>(mesh);
-}
-const Mesh& unwrap(const ex03_mesh* mesh) {
-    return *reinterpret_cast<const Mesh*>(mesh);
-}
-BVH& unwrap(ex03_bvh* bvh) {
-    return *reinterpret_cast<BVH*>(bvh);
-}
-const BVH& unwrap(const ex03_bvh* bvh) {
-    return *reinterpret_cast<const BVH*>(bvh);
+/// The object behind a handle: a tree or a mesh, which stays const if it was.
+template <typename Handle> auto& unwrap(Handle* handle) {
+    constexpr bool isMesh = std::is_same_v<std::remove_const_t<Handle>, ex03_mesh>;
+    using Plain = std::conditional_t<isMesh, Mesh, BVH>;
+    return *reinterpret_cast<std::conditional_t<std::is_const_v<Handle>, const Plain, Plain>*>(
+        handle);
 }
 
 /// How a call into the submission ended. Fixed size: reporting must not need memory.
