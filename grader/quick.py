@@ -2,8 +2,8 @@
 
 The order of the first ten is that of `tests/submissions/kill-matrix.csv`: each check stands
 before those that find fewer mistakes which none before it has found. On small meshes these ten
-and the gates failed 190 of 243 wrong files (measured 2026-11-29); the last five cost next to
-nothing and find what is seen elsewhere by time or by sanitizers only. Left out is what takes a
+and the gates failed 190 of 243 wrong files (measured 2026-11-29). The last five find some that
+the ten see on large meshes or not at all, and cost next to nothing. Left out is what takes a
 build of its own, a picture, threads or a large mesh.
 """
 

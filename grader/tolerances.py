@@ -21,6 +21,11 @@ def depth_limit(small: bool) -> int:
     return SMALL_MAX_DEPTH if small else MAX_DEPTH
 
 
+def reaches_the_limit(faces: int, small: bool) -> bool:
+    """Tell whether only the depth limit of a build ends the tree over so many faces."""
+    return faces > FACES_PER_LEAF << depth_limit(small)
+
+
 SPLIT_ULPS = 4
 """Units in the last place by which a centre or an extent may differ between right readings.
 
@@ -111,6 +116,13 @@ WASTE = 4.0
 The plain traversal tests every node whose parent was entered and has no early out. Testing a
 node's children before entering it, and again when they are entered, costs up to 3 times that.
 The smallest mistake to catch, a box test that is forgotten, costs a hundred times as many.
+"""
+
+SPECIAL_WASTE = 12.0
+"""The same for rays from inside, along axes and with limits, a third of each.
+
+Measured on 11,102 faces: a right solution whose own box test leaves out the slabs along which
+a ray does not move takes 7 times as many, who tests all faces for a sixth of the rays 21 times.
 """
 
 SLOWEST, START_SECONDS = 10.0, 0.2

@@ -6,7 +6,7 @@ from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from grader.build.callgraph import Tangled, is_readable, read_assembly
+from grader.build.callgraph import Tangled, read_assembly
 from grader.build.compiler import find_compiler
 from grader.build.diagnostics import SOURCE_NAME, read_diagnostics
 from grader.build.product import adopted
@@ -232,10 +232,8 @@ def call_graph(framework: Workspace, work: Compilation) -> CallGraph | None:
     """Ask the front end who calls whom; None if that cannot be found out in time."""
     command = (*framework.graph_command, "-S", SOURCE_NAME)
     _, content = _once(command, framework, work, f"{_GRAPH}.s")
-    if content is None or not is_readable(content):
-        return None
     try:
-        return read_assembly(content)
+        return None if content is None else read_assembly(content)
     except Tangled:
         return None
 

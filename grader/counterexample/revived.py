@@ -36,7 +36,7 @@ def _made(given: Content) -> Trial:
         return RebuildTrial(name, mesh, given.meshes[1])
     rays, tree = given.rays, given.trees[0]
     if given.kind == "work":
-        return WorkTrial(name, mesh, tree, rays, *plain_costs(tree, rays))
+        return WorkTrial(name, mesh, tree, rays, *plain_costs(tree, rays), given.special)
     found = _answers(mesh, rays)
     if given.kind == "repeat":
         other, other_tree = given.meshes[1], given.trees[1]

@@ -97,8 +97,8 @@ class WorkTrial:
     triangle_tests: float
     """Mean calls of the triangle test per ray of the same plain traversal."""
 
-    slack: float = 1.0
-    """How many times as much as usual may be wasted."""
+    special: bool = False
+    """Rays of kinds for which a right box test may be less sharp."""
 
 
 @dataclass(frozen=True, slots=True)

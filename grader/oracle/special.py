@@ -25,6 +25,12 @@ def on_face(stage: Stage, count: int) -> Rays:
     return beams(on_surface(stage, drawn_faces(stage, count)), directions(stage, count))
 
 
+def between_points(stage: Stage, count: int) -> Rays:
+    """From a point around the mesh to one in its box, where t is 1: as a shadow ray goes."""
+    start = around(stage, count)
+    return beams(start, within(stage, count) - start, t_max=1.0)
+
+
 def t_interval(stage: Stage, count: int) -> Rays:
     """With t_min and t_max before, between and behind the hits of the ray.
 
@@ -183,12 +189,6 @@ rule of closest hits allows.
 
 SOME = 4_000
 """Vertices among which the outermost is looked for."""
-
-
-def between_points(stage: Stage, count: int) -> Rays:
-    """From a point around the mesh to one in its box, where t is 1: as a shadow ray goes."""
-    start = around(stage, count)
-    return beams(start, within(stage, count) - start, t_max=1.0)
 
 
 SPECIAL = {

@@ -20,7 +20,7 @@ from grader.oracle.brute import classified, nearest
 from grader.oracle.bundle import beams
 from grader.oracle.culling import all_pairs
 from grader.oracle.meshes import generator, welded
-from grader.tolerances import FACES_PER_LEAF, MAX_DEPTH
+from grader.tolerances import MAX_DEPTH
 
 DEEPEST = MAX_DEPTH - 1
 """Deepest level of the tree, below a root of level 0.
@@ -32,8 +32,8 @@ made for the levels of its own trees only. Level 20 is for those whose trees rea
 ROUNDS = 2
 """Rays that start before each face."""
 
-LIMITED = FACES_PER_LEAF + 29
-"""Faces in each leaf at the depth limit."""
+LIMITED = 33
+"""Faces in each leaf at the depth limit: many more than four."""
 
 SIZE, TILT, ASLANT = 40.0, 0.1, 0.02
 """Of the faces, whose distance is 1; and how far rays lean."""

@@ -37,7 +37,7 @@ from grader.run.transfer import (
     replace_mesh,
     trace,
 )
-from grader.tolerances import FACES_PER_LEAF, depth_limit
+from grader.tolerances import depth_limit, reaches_the_limit
 
 THREADS = 4
 ROUNDS = 4
@@ -87,13 +87,13 @@ def _construct(job: Job, trial: ConstructTrial) -> ReadOne:
     slot = give_mesh(job, trial.mesh)
     job.do(Op.CONSTRUCT, slot, slot)
     tree = read_tree(job, slot, trial.mesh)
-    max_depth = depth_limit(trial.sanitized)
-    limited = len(trial.mesh.faces) > FACES_PER_LEAF << max_depth
+    limited = reaches_the_limit(len(trial.mesh.faces), trial.sanitized)
 
     def read(result: Result, _: Ending) -> tuple[Case, ...]:
         made: tuple[Case, ...] = ()
         if limited:
-            made = (DepthCase(trial.name, trial, tree(result), max_depth),)
+            limit = depth_limit(trial.sanitized)
+            made = (DepthCase(trial.name, trial, tree(result), limit),)
         # At the small limit a tree is looked at like any other; the huge one takes too long.
         if limited == trial.sanitized:
             made += (TreeCase(trial.name, trial, tree(result)),)

@@ -95,7 +95,6 @@ class Budget:
         self._deadline = {part: begun + seconds / n for part, n in _SHARES}
         self._used = {"a": 0.0, "b": 0.0}
         self._timeouts = {"a": 0, "b": 0}
-        self._beyond_one = 0.0
         self._lock = threading.Lock()
 
     def allowance(self, trial: Trial) -> Allowance | None:
@@ -126,8 +125,6 @@ class Budget:
         enough = self._enough[part]
         with self._lock:
             self._used[part] += own
-            # Of threads, behind which the other worker of the same submission had to stand.
-            self._beyond_one += max(0.0, ending.cpu_seconds - ending.seconds)
             if ending.stop is not Stop.TIMED_OUT:
                 return ending
             if allowed is None:
@@ -137,8 +134,7 @@ class Budget:
                 # or the end of the whole grade came first.
                 cut = allowed.wall_seconds < allowed.cpu_seconds
                 late = cut and self._used[part] >= enough
-                itself = self._beyond_one > ending.delayed_seconds / 2
-                return replace(ending, crowded=not (late or itself))
+                return replace(ending, crowded=not late)
             self._timeouts[part] += 1
         return ending
 

@@ -65,15 +65,8 @@ class Worker:
 
     def replace(self, slot: int, vertices: int, count: int, faces: int, face_count: int) -> int:
         """Put other arrays where a mesh lies; its tree is empty then."""
-        return int(
-            self.library.ex03_mesh_replace(
-                self.slots[slot][0],
-                self.source + vertices,
-                count,
-                self.source + faces,
-                face_count,
-            )
-        )
+        given = (self.source + vertices, count, self.source + faces, face_count)
+        return int(self.library.ex03_mesh_replace(self.slots[slot][0], *given))
 
     def tree(self) -> int:
         """Make a tree without a mesh: the next slot."""

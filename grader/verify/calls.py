@@ -7,7 +7,7 @@ target that may be meant leads to the same verdict: a guess never costs anybody 
 
 import re
 from collections import defaultdict
-from collections.abc import Collection, Iterator
+from collections.abc import Iterator
 
 from grader.model.stages import Call, CallGraph
 from grader.verify.mangled import STANDARD, is_lifetime, speaks_of_nodes
@@ -34,8 +34,9 @@ def callees_of(graph: CallGraph) -> Callees:
             callees[call.caller].add(call.callee)
     selves = {target for name in graph.selves for target in _filled(graph, name)}
     pointed = set(filter(_is_pointed_at, callees.pop(ANYTHING, set())))
+    builders = set(filter(speaks_of_nodes, names_of(callees)))
     for called, targets in ((ANYTHING, pointed - elsewhere), *_objects(graph, elsewhere)):
-        if len(targets) == 1 or _all_recur(callees, called, targets):
+        if len(targets) == 1 or _all_recur(callees, called, targets, builders):
             callees[called] |= targets
         callees[called] |= targets & selves
     return dict(callees)
@@ -93,15 +94,12 @@ def _objects(graph: CallGraph, elsewhere: set[str]) -> Iterator[tuple[str, set[s
         yield call.string, meant - elsewhere
 
 
-def _all_recur(callees: Callees, call: str, targets: Collection[str]) -> bool:
+def _all_recur(callees: Callees, call: str, targets: set[str], builders: set[str]) -> bool:
     """Tell whether every target makes the same call again and builds nodes.
 
     Then one of them calls itself in the end, whichever is meant where. A target that only
     sorts may call itself, and one that calls nothing ends it.
     """
-    if not targets:
-        return True
     callers = reverse(callees)
-    recur = reachable(callers, [call])
-    build = reachable(callers, filter(speaks_of_nodes, names_of(callees)))
+    recur, build = reachable(callers, [call]), reachable(callers, builders)
     return all(target in recur and target in build for target in targets)

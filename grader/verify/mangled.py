@@ -1,7 +1,6 @@
 """What the mangled name of a function says of it. Names are read, never run or printed."""
 
 import re
-from functools import lru_cache
 
 STANDARD = re.compile(r"_ZN?K?(St|Sa|Ss|9__gnu_cxx)|_Zn|_Zd")
 """Functions of the standard library, and the operators new and delete."""
@@ -27,16 +26,12 @@ TREE_WORK = re.compile(
 )
 """Mangled names of what no copy and no clean-up of a tree ever calls."""
 
-MOST_NAMES = 1 << 14
-"""Names whose answers are remembered: they are asked for again and again."""
-
 LIFETIME = re.compile(r"[CD][0-5]|aS[EI](?!_)")
 """Constructors, destructors and assignments in mangled names."""
 
 
-@lru_cache(MOST_NAMES)
 def speaks_of_nodes(name: str) -> bool:
-    """Whether a function has to do with nodes or boxes, and not only with sorting.
+    """Whether a function has to do with nodes or makes boxes grow, and does not only sort.
 
     Where it was written does not count: the comparator inside `split(Node&)`, and a quicksort
     that is made for this comparator, carry the name of `split` in theirs.
@@ -47,7 +42,6 @@ def speaks_of_nodes(name: str) -> bool:
     return TREE_TYPES.search(name[:at]) is not None
 
 
-@lru_cache(MOST_NAMES)
 def is_lifetime(name: str) -> bool:
     """Tell whether a function constructs, copies, assigns or destroys a student's object."""
     at = 2

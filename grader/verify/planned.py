@@ -27,7 +27,7 @@ from grader.model.trials import (
     Trial,
     WorkTrial,
 )
-from grader.tolerances import FACES_PER_LEAF, depth_limit
+from grader.tolerances import reaches_the_limit
 from grader.verify.check import Check
 
 DELIVERED: dict[type, type] = {
@@ -86,6 +86,6 @@ def kinds_of(trial: Trial) -> tuple[type, ...]:
 
 def _construct_kinds(trial: ConstructTrial) -> tuple[type, ...]:
     ended = MemoryCase if trial.sanitized else SurvivalCase
-    limited = len(trial.mesh.faces) > FACES_PER_LEAF << depth_limit(trial.sanitized)
+    limited = reaches_the_limit(len(trial.mesh.faces), trial.sanitized)
     depth = (DepthCase,) if limited else ()
     return (ended, *depth, TreeCase) if limited == trial.sanitized else (ended, *depth)

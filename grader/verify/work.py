@@ -5,7 +5,7 @@ import numpy as np
 from grader.model.cases import AlteredCase, WorkCase
 from grader.model.mesh import Mask
 from grader.model.verdict import Evidence, Example
-from grader.tolerances import SLOWEST, START_SECONDS, WASTE
+from grader.tolerances import SLOWEST, SPECIAL_WASTE, START_SECONDS, WASTE
 from grader.verify.check import check, judged, one, vector
 from grader.verify.closest import judge
 
@@ -70,7 +70,7 @@ def _wasteful(case: WorkCase) -> Example | None:
     """Compare the counted tests with a plain traversal's."""
     tests = case.box_tests + case.triangle_tests
     plain = case.trial.box_tests + case.trial.triangle_tests
-    allowed = WASTE * case.trial.slack * plain
+    allowed = (SPECIAL_WASTE if case.trial.special else WASTE) * plain
     if tests <= allowed:
         return None
     return Example(

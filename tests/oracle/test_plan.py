@@ -60,7 +60,7 @@ def _small(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(repeated, "REPEATED", (("terrain-1200", "cloud-5"),))
     monkeypatch.setattr(repeated, "REPEATED_RAYS", 50)
     monkeypatch.setattr(work, "WORK", (("nested", 50),))
-    monkeypatch.setattr(work, "ODD", 10)
+    monkeypatch.setattr(work, "SPECIAL_RAYS", 10)
     monkeypatch.setattr("grader.oracle.thicket.FACES", 200)
     monkeypatch.setattr(module, "DEEPEST", 6)
     monkeypatch.setattr(module, "image_trials", lambda *_: [])

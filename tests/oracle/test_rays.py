@@ -69,6 +69,13 @@ def test_intervals_cut_hits_off() -> None:
     assert (rays.t_min > 10 * EPSILON).any()
 
 
+def test_rays_between_points_end_at_one() -> None:
+    """As shadow rays do; many have something in their way."""
+    rays, hit, _ = family("between-points", "nested-spheres")
+    assert (rays.t_max == 1).all()
+    assert hit.mean() > 0.3
+
+
 def test_limited_rays_come_in_a_row_with_different_limits() -> None:
     """Three times the same ray, never with the same interval, of lengths of twelve orders."""
     rays, _, _ = family("t-interval", "nested-spheres")

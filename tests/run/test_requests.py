@@ -71,6 +71,24 @@ def test_a_tree_comes_back_as_it_was_built(reference: Engine, faces: int) -> Non
     assert not case.bvh.low.flags.writeable
 
 
+@pytest.mark.parametrize(
+    ("faces", "sanitized", "kinds"),
+    [
+        (256, True, set()),
+        (257, True, {DepthCase, TreeCase}),
+        (257, False, {TreeCase}),
+    ],
+)
+def test_trees_at_the_small_limit_are_looked_at_twice(
+    reference: Engine, faces: int, sanitized: bool, kinds: set[type]
+) -> None:
+    """For their depth and like any other; smaller ones of that build for memory only."""
+    asked = request(ConstructTrial("soup", soup(faces), sanitized))
+    ((ending, result),) = (run_job(job, reference, PATIENT) for job in asked.jobs)
+    assert result
+    assert {type(case) for case in asked.read([result], ending)} == kinds
+
+
 @pytest.mark.parametrize("tree", [build(soup(37)), build(mesh_of(np.zeros((0, 3, 3))))])
 def test_a_tree_of_ours_is_set_bit_for_bit(reference: Engine, tree: Bvh) -> None:
     """Not-a-number, negative zero and numbers out of range go in and come out unchanged."""

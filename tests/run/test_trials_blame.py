@@ -94,11 +94,3 @@ def test_other_ends_have_nothing_to_do_with_the_clock(stop: Stop) -> None:
     """A crash on a busy machine is a crash."""
     ending = Ending(stop, "", 1.0, 1.0, "", delayed_seconds=0.9)
     assert Budget(LIMITS, 60.0).blamed(TRIAL, ending, ALLOWED) == ending
-
-
-@pytest.mark.parametrize(("cpu", "crowded"), [(30.0, True), (40.0, True), (50.0, False)])
-def test_standing_behind_oneself_is_no_excuse(cpu: float, crowded: bool) -> None:
-    """Threads of one worker that took more than a processor kept the other one waiting."""
-    budget = Budget(LIMITS, 100.0)
-    budget.blamed(TRIAL, Ending(Stop.TIMED_OUT, "stopped", 30.0, cpu, ""), ALLOWED)
-    assert budget.blamed(TRIAL, late(1.0, 28.0), ALLOWED).crowded is crowded

@@ -3,11 +3,12 @@
 import numpy as np
 import pytest
 
-from grader.model.cases import DepthCase, SurvivalCase
+from grader.model.cases import DepthCase, SurvivalCase, TreeCase
 from grader.model.mesh import Bvh, Mesh
 from grader.model.stages import Ending, Stop
 from grader.model.trials import ConstructTrial
 from grader.model.verdict import Evidence, Verdict
+from grader.tolerances import MAX_DEPTH, SMALL_MAX_DEPTH
 from grader.verify.structure import (
     depth_is_limited,
     face_indices_are_a_permutation,
@@ -197,6 +198,44 @@ def test_an_unsplit_root_shows_nothing_of_splits() -> None:
         "boxes-are-tight",
         "splits-the-longest-axis",
         "splits-at-the-median",
+    }
+
+
+LIMITED = soup(600)
+"""More faces than the small depth limit has room for."""
+
+
+def limited(bvh: Bvh) -> set[str]:
+    """Judge a tree of the build with the small limit; returns the checks that fail."""
+    case = TreeCase("mesh", ConstructTrial("mesh", LIMITED, sanitized=True), bvh)
+    return {id for id, one in findings(case).items() if one.verdict is Verdict.FAIL}
+
+
+@pytest.mark.parametrize("depth", [SMALL_MAX_DEPTH - 1, SMALL_MAX_DEPTH, MAX_DEPTH])
+def test_a_tree_that_ends_at_the_limit_is_right(depth: int) -> None:
+    """Whether the root is level 0 or 1; and so is one that knows the number 20 only."""
+    assert limited(build(LIMITED, Reading(depth=depth))) == set()
+
+
+@pytest.mark.parametrize("depth", [SMALL_MAX_DEPTH - 2, SMALL_MAX_DEPTH + 1])
+def test_a_tree_that_ends_elsewhere_has_large_leaves(depth: int) -> None:
+    """They are no leaves on the last allowed level."""
+    assert limited(build(LIMITED, Reading(depth=depth))) == {"bvh.leaves-hold-at-most-four"}
+
+
+def test_one_node_on_the_last_level_does_not_excuse_the_others() -> None:
+    """A leaf above the last level is split if anything is on it."""
+    deep = build(LIMITED, Reading(depth=SMALL_MAX_DEPTH))
+    last = np.arange(deep.end.size) >= 2**SMALL_MAX_DEPTH + 1
+    few = altered(deep, end=np.where(last, 0, deep.end), begin=np.where(last, 0, deep.begin))
+    assert "bvh.leaves-hold-at-most-four" in limited(few)
+
+
+def test_a_box_on_the_last_level_is_looked_at() -> None:
+    """Only trees at the limit have such nodes."""
+    deep = build(LIMITED, Reading(depth=SMALL_MAX_DEPTH))
+    assert limited(changed(deep, "low", (deep.end.size - 1, 0), -9.0)) == {
+        "bvh.boxes-are-tight"
     }
 
 
