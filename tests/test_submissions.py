@@ -16,6 +16,7 @@ from grader.certify.corpus import (
 from grader.certify.matrix import SEED, line_of, stored_lines
 from grader.certify.row import graded_row
 from grader.certify.sample import killers
+from grader.kept import kept, write_result
 from grader.model.stages import Further
 from grader.model.verdict import Verdict
 from grader.options import Options
@@ -32,10 +33,22 @@ DIFFERENT = ("literals-and-german-comments", "parallel-levels", "strategy-patter
 """Right files: a literal 20 for the depth limit, threads, and virtual functions."""
 
 
+WHOLE = ("boxes-padded", "first-hit-wins", "face-indices-count-from-one")
+
+
 def verdicts(path: Path, *checks: str) -> dict[str, Verdict]:
     """Grade a file for some checks only."""
     grade = grade_one(path, Options(SEED, None, checks, lambda *_: None))
     return {one.check: one.verdict for one in grade.checks if one.check in checks}
+
+
+def drawn(path: Path, folder: Path, *checks: str) -> dict[str, Verdict]:
+    """Grade a file as `bvhgrade grade` does, and write all that belongs to the result."""
+    options = Options(SEED, None, checks, lambda *_: None, counterexamples=True, views=True)
+    grade = grade_one(path, options)
+    write_result(folder, kept(grade), "de")
+    assert (folder / "report.html").stat().st_size > 0
+    return {one.check: one.verdict for one in grade.checks if one.check in (checks or KILLERS)}
 
 
 def checks_by_build() -> dict[frozenset[Further], list[str]]:
@@ -47,9 +60,21 @@ def checks_by_build() -> dict[frozenset[Further], list[str]]:
 
 
 @pytest.mark.parametrize("check", KILLERS)
-def test_a_wrong_submission_fails_its_own_check(check: str) -> None:
-    """Also if nothing else is graded; `bvhgrade certify --sample` grades it as a whole."""
-    assert verdicts(KILLERS[check].path, check) == {check: Verdict.FAIL}
+def test_a_wrong_submission_fails_its_own_check(check: str, tmp_path: Path) -> None:
+    """Also if nothing else is graded; `bvhgrade certify --sample` grades it as a whole.
+
+    All that a report shows of it is drawn and written.
+    """
+    assert drawn(KILLERS[check].path, tmp_path, check) == {check: Verdict.FAIL}
+
+
+@pytest.mark.parametrize("name", WHOLE)
+def test_a_whole_result_is_written(name: str, tmp_path: Path) -> None:
+    """A scene with a wrong box, one with a wrong pixel, and one whose tree is unreadable."""
+    path = corpus_folder() / "wrong" / f"{name}.cpp"
+    failed = {id for id, one in drawn(path, tmp_path).items() if one is Verdict.FAIL}
+    line = stored_lines()[name_of(path)]
+    assert failed == {check for check in KILLERS if line[check] == "F"}
 
 
 @pytest.mark.parametrize("further", checks_by_build(), ids=lambda one: f"{len(one)} builds")

@@ -99,7 +99,8 @@ def loose_node(mesh: Mesh, tree: Bvh) -> int:
     """
     if not len(tree.end) or unreadable(mesh, tree) is not None:
         return -1
-    return next((n for n in (0, *loose_nodes(mesh, tree)[:1]) if right_box(mesh, tree, n)), -1)
+    loose = loose_nodes(mesh, tree)[:1].tolist()
+    return next((n for n in (0, *loose) if right_box(mesh, tree, n)), -1)
 
 
 def right_box(mesh: Mesh, tree: Bvh, node: int) -> tuple[float, ...]:
