@@ -17,6 +17,7 @@ from typing import Any
 from grader.batch.base import opened_base, written
 from grader.batch.records import Student
 from grader.batch.settings import Settings, read_settings
+from grader.errors import UsageError
 from grader.kept import Result
 
 
@@ -86,10 +87,14 @@ class Store:
             self._base.execute(f"INSERT OR REPLACE INTO student VALUES ({marks})", values)  # noqa: S608 - question marks only
 
     def source(self, sha256: str) -> bytes:
-        """The bytes of a submission."""
+        """The bytes of a submission.
+
+        Raises:
+            UsageError: Nobody of the class handed them in.
+        """
         row = self._one("SELECT bytes FROM source WHERE sha256 = ?", (sha256,))
         if row is None:
-            raise AssertionError("a student's file is written with the student")
+            raise UsageError("this class holds no submission with that content")
         return bytes(row[0])
 
     def ungraded(self, settings: Settings) -> Iterator[Student]:

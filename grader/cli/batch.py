@@ -44,11 +44,12 @@ MOST_NAMED = 5
     type=click.Path(path_type=Path),
     required=True,
     metavar="DIR",
-    help="Folder for the results; the same one goes on where it was left.",
+    help="Folder for the results.",
 )
 @click.option(
     "--jobs",
     type=click.IntRange(1, 256),
+    metavar="N",
     help="Submissions at a time (default: as many as keep all busy).",
 )
 @click.option(
@@ -56,7 +57,7 @@ MOST_NAMED = 5
     metavar="ADDRESS",
     help="Grade on the Dask cluster there (docs/scale.md).",
 )
-@click.option("--regrade", is_flag=True, help="Show who would change and why; keep all.")
+@click.option("--regrade", is_flag=True, help="Show who in DIR would change and why.")
 @click.option("--apply", is_flag=True, help="With --regrade: make it the class's results.")
 @seed_option
 @rubric_option
@@ -66,10 +67,10 @@ MOST_NAMED = 5
 def batch(folder_or_zip: Path | None, output: Path, **given: Any) -> None:  # noqa: ANN401 - click's own
     """Grade a whole class; the same command again goes on.
 
-    FOLDER_OR_ZIP holds a file or a folder for each student, or is a download of Moodle, Canvas,
-    Gradescope or GitHub Classroom. --regrade takes what DIR holds instead.
+    FOLDER_OR_ZIP holds a file or folder for each student, or is a download of
+    Moodle, Canvas, Gradescope or GitHub Classroom.
 
-    Exit status: 0 every submission has its grade, 2 wrong usage, 3 some are withheld.
+    Exit status: 0 all have their grade, 2 wrong usage, 3 some are withheld.
     """
     from grader.batch.job import Job
     from grader.batch.settings import Wish, settled

@@ -34,18 +34,18 @@ if TYPE_CHECKING:
 @click.option(
     "--sample",
     is_flag=True,
-    help="Only right files and one wrong one for each check; compare with the stored matrix.",
+    help="Compare right files, and a wrong one a check, with the matrix.",
 )
 @click.option(
     "--mutants",
     type=click.IntRange(1),
     metavar="N",
-    help="Study N small edits of right submissions instead of the corpus.",
+    help="Study N small edits of right submissions instead.",
 )
 @click.option(
     "--counterexamples",
     is_flag=True,
-    help="Store how small the inputs are that fail the checks of wrong submissions.",
+    help="Measure the smallest inputs that fail checks instead.",
 )
 @click.option(
     "--seed", type=int, default=1, show_default=True, help="What those N are drawn with."
@@ -58,10 +58,8 @@ def certify(
 ) -> None:
     """Grade every right and wrong submission of a checkout.
 
-    What this state of the grader has graded before is not graded again: a run that was killed
-    goes on. The rows of seed 41 become tests/submissions/kill-matrix.csv, and what they
-    say is written to docs/certificate.md, with a summary of all seeds. A sample is compared
-    with them, and writes neither.
+    The rows of seed 41 become tests/submissions/kill-matrix.csv, all are summed up in
+    docs/certificate.md; what was graded before is not graded again.
 
     Exit status: 0 nothing speaks against the grader, 1 there is a hole or a difference.
     """

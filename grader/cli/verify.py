@@ -1,7 +1,10 @@
 """The command that grades again and says whether a stored result still holds."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -10,6 +13,8 @@ from click.exceptions import Exit
 from grader.cli.grading import graded, is_withheld, ordered
 from grader.cli.options import rubric_option, submission_type, time_option, unsafe_option
 from grader.cli.status import FULL_MARKS, LOST_POINTS, OUR_FAULT
+from grader.errors import UsageError
+from grader.output import STORE
 from grader.report.escape import line_for_terminal
 
 if TYPE_CHECKING:
@@ -18,14 +23,19 @@ if TYPE_CHECKING:
 
 @click.command()
 @click.argument("result", type=click.Path(exists=True, dir_okay=False, path_type=Path))
-@click.argument("submission", type=submission_type)
+@click.argument("submission", type=submission_type, required=False)
 @rubric_option
 @time_option
 @unsafe_option
-def verify(result: Path, submission: Path, **given: Any) -> None:  # noqa: ANN401 - click's own
+def verify(
+    result: Path,
+    submission: Path | None,
+    **given: Any,  # noqa: ANN401 - click's own
+) -> None:
     """Grade SUBMISSION again as RESULT says, and compare.
 
-    RESULT is a result.json; its seed is taken, and --rubric has to name its rubric.
+    RESULT is a result.json; its seed is taken, and --rubric has to name its rubric. In the
+    folder of a class, `batch` has kept the SUBMISSION.
 
     Exit status: 0 reproduced, 1 something differs, 2 wrong usage, 3 the grader failed.
     """
@@ -35,14 +45,41 @@ def verify(result: Path, submission: Path, **given: Any) -> None:  # noqa: ANN40
 
     stored = read_result(result)
     seed = stored["provenance"]["seed"]
-    order = ordered(submission, {**given, "seed": seed, "language": "en"})
-    grade = graded(replace(order, views=False))
+    with submitted(result, submission, stored["submission"]["sha256"]) as path:
+        order = ordered(path, {**given, "seed": seed, "language": "en"})
+        grade = graded(replace(order, views=False))
     found = differences(stored, to_json(grade))
     for line in found or [f"reproduced: {points(stored)}"]:
         click.echo(line_for_terminal(line))
     if is_withheld(grade):
         raise Exit(OUR_FAULT)
     raise Exit(LOST_POINTS if found else FULL_MARKS)
+
+
+@contextmanager
+def submitted(result: Path, named: Path | None, sha256: str) -> Iterator[Path]:
+    """Find what was graded: the file that was named, or what the class's store holds.
+
+    Raises:
+        UsageError: No file was named, and there is no store, or one without these bytes.
+    """
+    if named is not None:
+        yield named
+        return
+    folders = [each for each in result.resolve().parents if (each / STORE).is_file()]
+    if not folders:
+        raise UsageError(
+            f"{result} is in no class's folder, which would hold the submission; name it as "
+            "well: bvhgrade verify RESULT SUBMISSION"
+        )
+    from grader.batch.store import opened_store
+
+    with opened_store(folders[0]) as store:
+        source = store.source(sha256)
+    with TemporaryDirectory() as folder:
+        path = Path(folder) / "exercise03.cpp"
+        path.write_bytes(source)
+        yield path
 
 
 def differences(stored: "Json", again: "Json") -> list[str]:

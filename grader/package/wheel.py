@@ -21,7 +21,7 @@ NAME = "bvhgrade"
 
 NAME_OF_REQUIREMENT = re.compile(r"[A-Za-z0-9]([A-Za-z0-9._-]*[A-Za-z0-9])?")
 
-BUILT = ("build", ".ppm")
+BUILT = ("build", ".ppm", ".png")
 """What a student's build leaves in the exercise's folder; pyproject.toml leaves it out, too."""
 
 FORMAT = """\

@@ -37,7 +37,7 @@ enum {
 };
 
 uint32_t ex03_abi_version(void);
-/* Bytes of a point, face, node, ray or hit; 0 for anything else. */
+/* Bytes of a point, face, node, ray, hit or step; 0 for anything else. */
 uint64_t ex03_size_of(uint32_t what);
 uint32_t ex03_max_depth(void);
 uint32_t ex03_faces_per_leaf(void);

@@ -15,7 +15,7 @@ struct Intersection {
     Normal3D normal;
 
     /// True if something was hit.
-    operator bool() const { return t < infinity; }
+    operator bool() const { return std::isfinite(t); }
 };
 
 /// Says whether any part of the ray between `t_min` and `t_max` lies in `box`.

@@ -1,10 +1,15 @@
 """`bvhgrade verify` says whether a result still holds, or which part of it does not."""
 
+import hashlib
 import json
 from dataclasses import replace
 from pathlib import Path
 
+from grader.batch.records import Student
+from grader.batch.store import opened_store
 from grader.cli.verify import differences
+from grader.model.grade import Grade
+from grader.model.stages import Submission
 from grader.report.as_json import to_json, to_text
 from tests.cli.calls import Pipeline, call
 from tests.report import samples
@@ -19,6 +24,44 @@ def test_a_result_is_reproduced(pipeline: Pipeline, tmp_path: Path) -> None:
     ended = call("verify", str(stored), "src/exercise03.cpp")
     assert (ended.exit_code, ended.output) == (0, "reproduced: 50 of 50\n")
     assert pipeline.asked[0][1].seed == 7
+
+
+def test_a_class_holds_what_was_graded(pipeline: Pipeline, tmp_path: Path) -> None:
+    """Its result needs no second name, unless it is of another class."""
+    source = b"int x;"
+    sha256 = hashlib.sha256(source).hexdigest()
+    with opened_store(tmp_path) as store:
+        ada = Student("a", "ada", "Ada", "", "", "plain", "x.cpp", sha256, "", "", "")
+        store.put(ada, source)
+    own = Submission("Ada", "x.cpp", source, sha256)
+    grade = replace(samples.perfect(), submission=own)
+    read: list[bytes] = []
+
+    def answer() -> Grade:
+        read.append(pipeline.asked[-1][0].read_bytes())
+        return grade
+
+    pipeline.answer = answer
+    stored = tmp_path / "ada" / "result.json"
+    stored.parent.mkdir()
+    stored.write_text(to_text(grade))
+    ended = call("verify", str(stored))
+    assert (ended.exit_code, ended.output) == (0, "reproduced: 50 of 50\n")
+    assert read == [source]
+    stored.write_text(to_text(samples.perfect()))
+    ended = call("verify", str(stored))
+    assert ended.exit_code == 2
+    assert "no submission with that content" in ended.output
+
+
+def test_a_result_alone_needs_its_file(pipeline: Pipeline, tmp_path: Path) -> None:
+    """And says how to name it."""
+    stored = tmp_path / "result.json"
+    stored.write_text(to_text(samples.perfect()))
+    ended = call("verify", str(stored))
+    assert ended.exit_code == 2
+    assert "bvhgrade verify RESULT SUBMISSION" in ended.output
+    assert not pipeline.asked
 
 
 def test_what_differs_is_named(pipeline: Pipeline, tmp_path: Path) -> None:

@@ -1,4 +1,4 @@
-"""Tests of grader/score/rubric.py and grader/score/table.py."""
+"""Tests of grader/score/rubric.py and grader/table.py."""
 
 from pathlib import Path
 

@@ -116,6 +116,39 @@ def test_copies_respect_the_capacity(library: ctypes.CDLL) -> None:
     assert (buffer[:3] < 9).all()
 
 
+def test_a_tree_is_read_where_it_lies(library: ctypes.CDLL) -> None:
+    """The views are the memory of the tree itself, and a tree of its own lies elsewhere."""
+    mesh = soup(library, 37)
+    nodes, order = mesh.construct()
+    at = library.ex03_nodes(mesh.bvh), library.ex03_face_indices(mesh.bvh)
+    assert ctypes.string_at(at[0], nodes.nbytes) == nodes.tobytes()
+    assert ctypes.string_at(at[1], order.nbytes) == order.tobytes()
+    mesh.set_tree(nodes, order[::-1])
+    seen = ctypes.string_at(library.ex03_face_indices(mesh.bvh), order.nbytes)
+    assert seen == order[::-1].tobytes()
+
+    other = library.ex03_bvh_create()
+    assert library.ex03_construct(other, mesh.mesh) == 0
+    assert library.ex03_nodes(other) != library.ex03_nodes(mesh.bvh)
+    assert ctypes.string_at(library.ex03_face_indices(other), order.nbytes) == order.tobytes()
+    library.ex03_bvh_destroy(other)
+    library.ex03_mesh_destroy(mesh.mesh)
+
+
+def test_the_given_tests_are_counted_until_they_are_reset(library: ctypes.CDLL) -> None:
+    """Box tests, then triangle tests, of all that this thread traced."""
+    mesh = soup(library, 600)
+    mesh.construct()
+    counted = np.zeros(2, np.uint64)
+    library.ex03_reset_counters()
+    library.ex03_read_counters(counted.ctypes.data)
+    assert counted.tolist() == [0, 0]
+    expected = mesh.trace(rays()).tests.sum(0).tolist() + mesh.trace(rays(), 2).tests.sum(0)
+    library.ex03_read_counters(counted.ctypes.data)
+    assert counted.tolist() == expected.tolist()
+    assert counted.min() > 0
+
+
 @pytest.mark.parametrize("threads", [1, 2, 5])
 def test_threads_all_trace_everything(library: ctypes.CDLL, threads: int) -> None:
     """Each thread's slice holds the same bits as a single thread's result."""

@@ -38,7 +38,7 @@ def errors(compiler: str, file: Path, *options: str | Path) -> str:
     return run(compiler, "-fsyntax-only", *FLAGS, *options, "-I", STUB / "include", file).stderr
 
 
-@pytest.mark.parametrize("compiler", ["g++", "clang++-14"])
+@pytest.mark.parametrize("compiler", ["g++", "clang++"])
 def test_each_header_compiles_alone(compiler: str, tmp_path: Path) -> None:
     """No header needs another one, or the standard library, to be included before it."""
     files = [tmp_path / f"{name}.cpp" for name in NAMES]
@@ -55,7 +55,7 @@ def test_all_ordered_pairs_compile(tmp_path: Path) -> None:
     """
     standard = tmp_path / "standard.h"
     standard.write_text("".join(f"#include <{name}>\n" for name in STANDARD))
-    made = run("clang++-14", *FLAGS, "-x", "c++-header", standard, "-o", f"{standard}.pch")
+    made = run("clang++", *FLAGS, "-x", "c++-header", standard, "-o", f"{standard}.pch")
     assert made.returncode == 0, made.stderr
     prepared = ["-include-pch", f"{standard}.pch"]
     files = []
@@ -63,7 +63,7 @@ def test_all_ordered_pairs_compile(tmp_path: Path) -> None:
         files.append(tmp_path / f"{a}_{b}.cpp")
         files[-1].write_text(includes(a, b, a))
     with ThreadPoolExecutor(2) as pool:
-        found = pool.map(lambda file: errors("clang++-14", file, *prepared), files)
+        found = pool.map(lambda file: errors("clang++", file, *prepared), files)
         assert "".join(found) == ""
     assert len(files) == 56
 
