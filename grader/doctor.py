@@ -15,10 +15,22 @@ from grader.oracle.variant import working_variant
 from grader.resources import cache_folder, reference_source, scenes_folder, stub_folder
 from grader.sandbox.launch import Order, launch
 from grader.sandbox.selftest import proved_isolation
+from grader.view.needed import has_display
 
 PROBE_SECONDS = 20.0
 
-NEEDED_PACKAGES = ("numpy", "click", "rich", "trimesh", "embreex", "OpenEXR")
+NEEDED_PACKAGES = (
+    "numpy",
+    "click",
+    "rich",
+    "trimesh",
+    "embreex",
+    "jinja2",
+    "jsonschema",
+    "pillow",
+    "flip-evaluator",
+    "OpenEXR",
+)
 RENDER_PACKAGES = ("mitsuba", "drjit")
 RENDER_REMEDY = "pip install 'bvhgrade[render]'"
 
@@ -44,7 +56,7 @@ def examine() -> tuple[Finding, ...]:
     found = [python(), compiler(), sanitizers(), program("cmake"), program("make")]
     found += [package(name) for name in NEEDED_PACKAGES]
     found += [package(name, RENDER_REMEDY) for name in RENDER_PACKAGES]
-    found += [mitsuba(), own_files(), cache_state(), isolation(), processors()]
+    found += [mitsuba(), display(), own_files(), cache_state(), isolation(), processors()]
     return tuple(found)
 
 
@@ -111,8 +123,6 @@ def program(name: str) -> Finding:
 def package(name: str, remedy: str = "") -> Finding:
     """Look for a Python package; one with a remedy of its own is not needed to grade."""
     try:
-        if util.find_spec(name) is None:
-            raise metadata.PackageNotFoundError
         return Finding(name, True, metadata.version(name), needed=not remedy)
     except metadata.PackageNotFoundError:
         install = remedy or f"pip install {name}"
@@ -132,6 +142,14 @@ def mitsuba() -> Finding:
         return Finding(subject, True, f"{variant.name}: {variant.because}", remedy, False)
 
     return guarded(subject, False, look)
+
+
+def display() -> Finding:
+    """Look for the display that `bvhgrade view` opens its window on."""
+    if has_display():
+        return Finding("display", True, "bvhgrade view opens a window", needed=False)
+    remedy = "bvhgrade view --web shows it in a browser"
+    return Finding("display", False, "bvhgrade view has no window here", remedy, False)
 
 
 def own_files() -> Finding:

@@ -1,7 +1,9 @@
 """The doctor names what is missing and what to install."""
 
 import os
+import re
 from collections.abc import Iterator
+from importlib import metadata
 from pathlib import Path
 
 import pytest
@@ -63,6 +65,25 @@ def test_a_missing_package_is_named_by_how_it_is_installed() -> None:
     assert missing.remedy == "pip install no_such_package"
     assert (extra.ok, extra.needed) == (False, False)
     assert "bvhgrade[render]" in extra.remedy
+
+
+def test_every_package_of_ours_is_looked_at() -> None:
+    """Those of the extras apart."""
+    needed = {name for name in metadata.requires("bvhgrade") or () if "extra ==" not in name}
+    names = {re.split(r"[<>=!~\[; ]", each)[0].lower() for each in needed}
+    assert names == {name.lower() for name in doctor.NEEDED_PACKAGES}
+
+
+@pytest.mark.parametrize("name", ["DISPLAY", "WAYLAND_DISPLAY"])
+def test_without_a_display_grading_works(monkeypatch: pytest.MonkeyPatch, name: str) -> None:
+    """And a browser shows what the window would."""
+    monkeypatch.delenv("DISPLAY", raising=False)
+    monkeypatch.delenv("WAYLAND_DISPLAY", raising=False)
+    without = doctor.display()
+    assert (without.ok, without.needed) == (False, False)
+    assert "--web" in without.remedy
+    monkeypatch.setenv(name, ":0")
+    assert doctor.display().ok
 
 
 def test_without_mitsuba_grading_works(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -29,8 +29,6 @@ NO_MESSAGE = re.compile(
 )
 """Patterns of what others write, names, and what is the same in both languages."""
 
-MEETING = (" at ", " is ", " for ", ", ", "; ", ": ")
-
 
 def skeletons(path: Path) -> Iterator[str]:
     """Find the sentences of a module, with `{}` for what differs."""

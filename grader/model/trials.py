@@ -38,6 +38,7 @@ class RebuildTrial:
     name: str
     first: Mesh
     second: Mesh
+    sanitized: bool = False
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -117,6 +118,8 @@ class RepeatTrial:
     answers: Answers
     other_answers: Answers
     """Of the same rays on the other mesh."""
+
+    sanitized: bool = False
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -13,6 +13,7 @@ whose hit can.
   shrunk box are left out.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -29,9 +30,10 @@ from grader.model.mesh import (
 )
 from grader.model.trials import AlteredTrial
 from grader.oracle.brute import Candidates, candidates, chosen, nearest
-from grader.oracle.bundle import Stage, around, beams, on_surface, stage_for, unit
+from grader.oracle.bundle import Stage, around, beams, on_surface, stage_for, unit, within
 from grader.oracle.hierarchy import leaves_of
 from grader.oracle.meshes import generator
+from grader.tolerances import EPSILON
 
 SHARE = 0.25
 """Of the leaves get the faces of others."""
@@ -47,6 +49,9 @@ APART = 1e-2
 
 AIMED = 400
 """Rays that aim at what is gone; as many aim anywhere."""
+
+KINDS = 3
+"""Kinds of special rays."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -64,6 +69,13 @@ class Alteration(FrozenArrays):
     """What was altered, in a half sentence: `9 of 64 leaves hold the faces of others`."""
 
 
+Alter = Callable[[Bvh, int, np.random.Generator], Alteration]
+"""Spoils a tree over so many faces."""
+
+Draw = Callable[[Stage, Doubles], Rays]
+"""Draws rays at (K, 3) points."""
+
+
 def altered_trials(seed: int, name: str, mesh: Mesh, tree: Bvh) -> list[AlteredTrial]:
     """Spoil a tree in both ways, one of few levels in the first way only.
 
@@ -74,12 +86,11 @@ def altered_trials(seed: int, name: str, mesh: Mesh, tree: Bvh) -> list[AlteredT
         tree: A right tree over them.
     """
     made = []
-    ways = [("replaced leaves", _replaced), ("shrunk boxes", _shrunk)]
-    for how, alter in ways if 1 << _shrunk_level(tree) >= SHRUNK else ways[:1]:
+    for how, alter, draw in WAYS if 1 << _shrunk_level(tree) >= SHRUNK else WAYS[:1]:
         rng = generator(seed, name, how)
         alteration = alter(tree, len(mesh.faces), rng)
         stage = stage_for(mesh, rng, lambda rays: candidates(mesh, rays, tree))
-        made.append(_trial(f"{name} with {how}", stage, alteration))
+        made.append(_trial(f"{name} with {how}", stage, alteration, draw))
     return made
 
 
@@ -143,13 +154,11 @@ def _faces_below(tree: Bvh, nodes: Integers, faces: int) -> Mask:
     return gone
 
 
-def _trial(name: str, stage: Stage, alteration: Alteration) -> AlteredTrial:
+def _trial(name: str, stage: Stage, alteration: Alteration, draw: Draw) -> AlteredTrial:
     """Find rays that tell the spoiled tree from the right one."""
     anywhere = stage.rng.integers(alteration.gone.size, size=AIMED)
     aimed = stage.rng.choice(np.flatnonzero(alteration.gone), AIMED)
-    origin = around(stage, 2 * AIMED)
-    target = on_surface(stage, np.concatenate([aimed, anywhere]))
-    rays = beams(origin, unit(target - origin))
+    rays = draw(stage, on_surface(stage, np.concatenate([aimed, anywhere])))
     found = stage.look(rays)
     clear, first_gone = _told_apart(found, alteration.gone, len(rays.t_min))
     for low, high in alteration.near:
@@ -165,6 +174,39 @@ def _trial(name: str, stage: Stage, alteration: Alteration) -> AlteredTrial:
         lost=first_gone[kept],
         change=alteration.change,
     )
+
+
+def _from_outside(stage: Stage, target: Doubles) -> Rays:
+    """Aim at (K, 3) points from around the mesh."""
+    origin = around(stage, len(target))
+    return beams(origin, unit(target - origin))
+
+
+def _special(stage: Stage, target: Doubles) -> Rays:
+    """Aim at (K, 3) points from within the box, along an axis, and up to a limit, in turns."""
+    count = len(target)
+    axis = np.eye(3)[stage.rng.integers(3, size=count)] * stage.rng.choice([-1, 1], (count, 1))
+    outside, inside = around(stage, count), within(stage, count)
+    along = target - 3 * stage.radius * axis
+    kind = np.arange(count) % KINDS
+    origin = np.choose(kind[:, None], [inside, along, outside])
+    # The limit lies behind the point, and not at its t.
+    towards = 1.25 * (target - origin)
+    return beams(
+        origin,
+        np.choose(kind[:, None], [unit(towards), axis, towards]),
+        np.choose(kind, [EPSILON, EPSILON, 0.0]),
+        np.choose(kind, [np.inf, np.inf, 1.0]),
+    )
+
+
+# An own box test may be less sharp along axes, where it divides by 0: no shrunk boxes there.
+WAYS: tuple[tuple[str, Alter, Draw], ...] = (
+    ("replaced leaves", _replaced, _from_outside),
+    ("shrunk boxes", _shrunk, _from_outside),
+    ("replaced leaves, special rays", _replaced, _special),
+)
+"""How a tree is spoiled, and which rays notice."""
 
 
 def _told_apart(found: Candidates, gone: Mask, rays: int) -> tuple[Mask, Mask]:

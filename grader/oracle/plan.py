@@ -54,9 +54,16 @@ REBUILT = (
 ALTERED = ("terrain-1200", "dragon-res4", "cloud-37")
 """Meshes of altered trees: on a small one too nobody may do without the tree."""
 
-SAMPLED = (("cloud-1", 40), ("cloud-5", 40), ("terrain-1200", 60), ("dragon-res4", 60))
+SAMPLED = (
+    ("cloud-1", 40),
+    ("cloud-5", 40),
+    ("terrain-1200", 60),
+    ("dragon-res4", 60),
+)
 """Meshes of the sanitized build in part b, and of how many rays one is taken: a single leaf,
-a tree that ends with its last used node, one with gaps, a deep one."""
+a tree that ends with its last used node, one with gaps, a deep one.
+
+None without faces: `construct` may leave that one's tree without nodes, or with a root."""
 
 LATTICES = (0, 2)
 SPINE_STEP = 7
@@ -202,6 +209,9 @@ def _construct_trials(meshes: dict[str, Mesh]) -> list[Trial]:
     twin = meshes[TWIN]
     # The same vertices, box and numbers, so only who looks at the faces sees a difference.
     reverse = Mesh(twin.vertices, twin.faces[::-1].copy())
+    # The other way round: the same faces, whose corners lie elsewhere.
+    reflected = Mesh(-twin.vertices, twin.faces)
+    growing = (meshes["cloud-1"], meshes["cloud-64"])
     return [
         *(ConstructTrial(f"tree over {name}", mesh) for name, mesh in meshes.items()),
         *(
@@ -210,6 +220,10 @@ def _construct_trials(meshes: dict[str, Mesh]) -> list[Trial]:
         ),
         *(RebuildTrial(f"tree over {a}, {b}, {a}", meshes[a], meshes[b]) for a, b in REBUILT),
         RebuildTrial(f"tree over {TWIN}, its faces in reverse, {TWIN}", twin, reverse),
+        RebuildTrial(f"tree over {TWIN}, its vertices reflected, {TWIN}", twin, reflected),
+        RebuildTrial(
+            "tree over cloud-1, cloud-64, cloud-1, sanitized", *growing, sanitized=True
+        ),
     ]
 
 

@@ -1,5 +1,7 @@
 """What is asked again and again, and may not be answered from memory?"""
 
+from dataclasses import replace
+
 import numpy as np
 
 from grader.model.mesh import Bvh, Mesh, Rays
@@ -15,6 +17,11 @@ REPEATED = (("terrain-1200", "grid-10x10"), ("dragon-res4", "nested-spheres"))
 TWIN = "cloud-37"
 """The mesh that has twins: one with its faces in another order, one point-reflected."""
 
+GROWING = ("dragon-res4", "cloud-1")
+"""A deep tree, and one of a single node, for which nothing of the other's size was prepared."""
+
+SANITIZED_RAYS = 100
+
 Scene = tuple[Mesh, Bvh]
 
 
@@ -23,7 +30,8 @@ def repeat_trials(
 ) -> list[RepeatTrial]:
     """Lay out the trials that ask the same again, on the same and on another mesh.
 
-    The last pair has the same faces and numbers of everything, but its vertices lie elsewhere.
+    The twins have the same numbers of everything: one has the same faces with vertices that lie
+    elsewhere, one the same triangles and box with other numbers of its faces.
 
     Args:
         seed: Of the run.
@@ -31,18 +39,28 @@ def repeat_trials(
         built: Trees over them.
         trees: Builds the reference's tree of each mesh.
     """
-    twin = Mesh(-meshes[TWIN].vertices, meshes[TWIN].faces)
-    pairs = [(name, (meshes[other], built[other])) for name, other in REPEATED]
-    pairs += [(TWIN, (twin, tree)) for tree in trees([twin])]
-    return [
+    given = meshes[TWIN]
+    twins = [Mesh(-given.vertices, given.faces), Mesh(given.vertices, given.faces[::-1].copy())]
+    pairs = [(name, "", (meshes[other], built[other])) for name, other in REPEATED]
+    beside = (f" beside its {which}" for which in ("reflection", "reverse"))
+    pairs += zip((TWIN, TWIN), beside, zip(twins, trees(twins), strict=True), strict=True)
+    made = [
         _trial(
-            name,
+            f"{name}{label}, again and again",
             (meshes[name], built[name]),
             other,
             incoherent(seed, name, meshes[name], REPEATED_RAYS),
         )
-        for name, other in pairs
+        for name, label, other in pairs
     ]
+    deep, first = GROWING
+    growing = _trial(
+        f"{deep} after {first}, sanitized",
+        (meshes[deep], built[deep]),
+        (meshes[first], built[first]),
+        incoherent(seed, deep, meshes[deep], SANITIZED_RAYS),
+    )
+    return [*made, replace(growing, sanitized=True)]
 
 
 def _trial(name: str, scene: Scene, other: Scene, rays: Rays) -> RepeatTrial:
@@ -52,7 +70,7 @@ def _trial(name: str, scene: Scene, other: Scene, rays: Rays) -> RepeatTrial:
     order = np.arange(len(rays.t_min))
     order[[-1, *tells[:1]]] = order[[*tells[:1], -1]]
     return RepeatTrial(
-        name=f"{name}, again and again",
+        name=name,
         mesh=scene[0],
         tree=scene[1],
         other_mesh=other[0],

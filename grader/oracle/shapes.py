@@ -50,9 +50,10 @@ def sheet(points: Doubles) -> Soup:
     return halves.reshape(-1, 3, 3)
 
 
-def plane(normal_axis: int, height: float) -> Soup:
-    """Make a flat square of 200 triangles whose box has no extent along one axis."""
-    u, v = np.meshgrid(np.linspace(-1, 1, 11), np.linspace(-0.8, 0.8, 11))
+def plane(normal_axis: int, height: float, tiles: int = 10) -> Soup:
+    """Make a square of 2 x tiles x tiles triangles, flat along an axis."""
+    steps = tiles + 1
+    u, v = np.meshgrid(np.linspace(-1, 1, steps), np.linspace(-0.8, 0.8, steps))
     return np.roll(
         sheet(np.stack([u, v, np.full_like(u, height)], axis=-1)), normal_axis - 2, -1
     )

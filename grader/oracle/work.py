@@ -10,10 +10,11 @@ from grader.model.trials import WorkTrial
 from grader.oracle.brute import NOTHING
 from grader.oracle.bundle import around, beams, stage_for, within
 from grader.oracle.costs import plain_costs
-from grader.oracle.meshes import generator
+from grader.oracle.meshes import generator, welded
 from grader.oracle.ordinary import from_inside
 from grader.oracle.rays import joined
 from grader.oracle.scenes import load_mesh
+from grader.oracle.shapes import plane
 
 Trees = Callable[[Sequence[Mesh]], list[Bvh]]
 
@@ -21,12 +22,15 @@ WORK = (("dragon-res4", 10_000), ("dragon-res2", 20_000))
 """Meshes and how many rays: on 11,102 faces, too, so many that testing all of them shows in the
 time, for who tests by itself is not counted."""
 
+FLOOR_TILES, FLOOR_RAYS = 70, 2_000
+"""Of a level floor, whose boxes are all flat: who does without their test has 9,800 faces."""
+
 SPECIAL_RAYS = 1_500
 """Of each kind in the trial of special rays."""
 
 
 def work_trials(seed: int, trees: Trees) -> list[WorkTrial]:
-    """Lay out the trials, on stored meshes of 11,102 and 202,520 faces.
+    """Lay out the trials, on stored meshes of 11,102 and 202,520 faces and on a floor.
 
     Args:
         seed: Of the run.
@@ -40,7 +44,16 @@ def work_trials(seed: int, trees: Trees) -> list[WorkTrial]:
     ]
     rays = _special(seed, meshes[0])
     special = _work_trial(f"work on {WORK[0][0]}, special rays", meshes[0], built[0], rays)
-    return [*trials, replace(special, special=True)]
+    return [*trials, replace(special, special=True), _floor(seed, trees)]
+
+
+def _floor(seed: int, trees: Trees) -> WorkTrial:
+    name = "level floor"
+    rng = generator(seed, name)
+    mesh = welded(plane(2, rng.uniform(-1, 1), FLOOR_TILES), rng)
+    return _work_trial(
+        f"work on a {name}", mesh, trees([mesh])[0], incoherent(seed, name, mesh, FLOOR_RAYS)
+    )
 
 
 def _work_trial(name: str, mesh: Mesh, tree: Bvh, rays: Rays) -> WorkTrial:

@@ -134,6 +134,8 @@ def _rebuild(trial: RebuildTrial) -> Request:
         for label, mesh, slot in (("A", trial.first, first), ("B", trial.second, second))
     ]
 
+    if trial.sanitized:
+        return Request((job,), _no_cases)
     alone = Job()
     slot = give_mesh(alone, trial.second)
     alone.do(Op.CONSTRUCT, slot, slot)
@@ -186,9 +188,12 @@ def _work(job: Job, trial: WorkTrial) -> ReadOne:
 def _repeat(trial: RepeatTrial) -> Request:
     """The same rays: forwards, backwards, again, after another mesh's rays, from threads.
 
-    Once also with the mesh where the other one was. In a second process the threads come
-    first: nothing was prepared by a ray before.
+    Once also with the mesh where the other one was, and once each ray twice in a row, which is
+    the same object then. In a second process the threads come first: nothing was prepared by a
+    ray before.
     """
+    if trial.sanitized:
+        return _repeat_sanitized(trial)
     job = Job()
     slot = on_tree(job, trial.mesh, trial.tree)
     other = on_tree(job, trial.other_mesh, trial.other_tree)
@@ -202,6 +207,7 @@ def _repeat(trial: RepeatTrial) -> Request:
     # The ray that was last there comes first.
     moved = trace(job, other, _reversed(rays))
     after = trace(job, slot, rays)
+    twice = trace(job, slot, _each_twice(rays))
     together = [trace(job, slot, rays, THREADS) for _ in range(ROUNDS)]
     cold = Job()
     at_once = trace(cold, on_tree(cold, trial.mesh, trial.tree), rays, THREADS)
@@ -212,6 +218,7 @@ def _repeat(trial: RepeatTrial) -> Request:
             ("in reverse order", _reversed_hits(backwards(result).hits[0])),
             ("a second time", again(result).hits[0]),
             ("after rays on another mesh", after(result).hits[0]),
+            ("the second time in a row", _second_of_two(twice(result).hits[0])),
             ("where another mesh was", _reversed_hits(moved(result).hits[0])),
             *(
                 (f"from {THREADS} threads at once", hits)
@@ -227,6 +234,30 @@ def _repeat(trial: RepeatTrial) -> Request:
         return (RepeatCase(trial.name, trial, begun, tuple(repeats), other_hits),)
 
     return Request((job, cold), read)
+
+
+def _repeat_sanitized(trial: RepeatTrial) -> Request:
+    """The other mesh, the mesh, and the other one again: each larger or smaller than before."""
+    job = Job()
+    other = on_tree(job, trial.other_mesh, trial.other_tree)
+    slot = on_tree(job, trial.mesh, trial.tree)
+    for each in (other, slot, other):
+        trace(job, each, trial.rays)
+    return Request((job,), _no_cases)
+
+
+def _no_cases(_: Sequence[Result], __: Ending) -> tuple[Case, ...]:
+    """Of a worker of the sanitized build only its end is looked at."""
+    return ()
+
+
+def _each_twice(rays: Rays) -> Rays:
+    parts = (rays.origin, rays.direction, rays.t_min, rays.t_max)
+    return Rays(*(part.repeat(2, axis=0) for part in parts))
+
+
+def _second_of_two(hits: Hits) -> Hits:
+    return Hits(hits.point[1::2], hits.t[1::2], hits.normal[1::2])
 
 
 def _reversed(rays: Rays) -> Rays:

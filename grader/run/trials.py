@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from grader.model.cases import Case, MemoryCase, SurvivalCase
 from grader.model.grade import Limits
 from grader.model.stages import Ending, Further, Stop
-from grader.model.trials import ConstructTrial, RebuildTrial, TraceTrial, Trial
+from grader.model.trials import ConstructTrial, RebuildTrial, RepeatTrial, TraceTrial, Trial
 from grader.run.requests import request
 from grader.run.session import Allowance, Engine, run_job
 
@@ -72,7 +72,8 @@ def part_of(trial: Trial) -> str:
 
 def is_sanitized(trial: Trial) -> bool:
     """Whether a trial runs on the build with sanitizers."""
-    return isinstance(trial, ConstructTrial | TraceTrial) and trial.sanitized
+    kinds = ConstructTrial | RebuildTrial | TraceTrial | RepeatTrial
+    return isinstance(trial, kinds) and trial.sanitized
 
 
 class Budget:

@@ -79,7 +79,7 @@ def kinds_of(trial: Trial) -> tuple[type, ...]:
     """The kinds of cases that a trial delivers if its worker finishes."""
     if isinstance(trial, ConstructTrial):
         return _construct_kinds(trial)
-    if isinstance(trial, TraceTrial) and trial.sanitized:
+    if isinstance(trial, RebuildTrial | TraceTrial | RepeatTrial) and trial.sanitized:
         return (MemoryCase,)
     return (SurvivalCase, DELIVERED[type(trial)])
 

@@ -56,11 +56,6 @@ def levels_of(width: int, height: int) -> tuple[Level, ...]:
     return tuple(found)
 
 
-def rays_needed(width: int, height: int) -> int:
-    """How many rays all levels of a picture have together."""
-    return levels_of(width, height)[-1].past
-
-
 def _rows(first: int, past: int, columns: int) -> list[tuple[int, int, int]]:
     """Divide places into rows: each with its first and past column."""
     found = []

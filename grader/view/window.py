@@ -1,6 +1,5 @@
 """The window: two panes under one bar and a column beside them, drawn with Dear ImGui."""
 
-import os
 import sys
 import time
 from collections.abc import Callable, Sequence
@@ -12,7 +11,7 @@ from grader.errors import GraderError, MissingTool
 from grader.language import Words
 from grader.view.camera import Orbit
 from grader.view.desk import Desk, Mode
-from grader.view.needed import INSTALL, NO_DISPLAY
+from grader.view.needed import INSTALL, NO_DISPLAY, has_display
 from grader.view.panel import WIDTH, Panel, saved
 from grader.view.panes import Panes
 from grader.view.preview import Preview
@@ -234,8 +233,3 @@ def opened(window: Window, title: str) -> None:
         immapp.run(params)
     except RuntimeError as fault:
         raise MissingTool(NO_DISPLAY) from fault
-
-
-def has_display() -> bool:
-    """Whether the environment names a display of X11 or of Wayland."""
-    return bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))

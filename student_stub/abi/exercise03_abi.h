@@ -77,7 +77,8 @@ typedef struct {
     uint64_t* done;  /* NULL, or rays finished so far, to be watched from outside */
 } ex03_batch;
 
-/* Traces the rays in order. After an exception the remaining hits are untouched. */
+/* Traces the rays in order; equal ones in a row are one `IntersectionRay`, asked again.
+ * After an exception the remaining hits are untouched. */
 int32_t ex03_intersect(const ex03_mesh* mesh, const ex03_batch* batch);
 /* Every thread traces all rays, released at the same moment. Hits, and tests if given, hold one
  * batch per thread, one after the other; done counts the rays of all threads. */

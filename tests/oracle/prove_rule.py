@@ -66,7 +66,7 @@ def too_much(name: str) -> bool:
 
     There normals are too small or large for a float, or no face has an area.
     """
-    return name in ("cloud-0", "cloud-65600", "scaled-tiny", "scaled-huge", "one-point")
+    return name in ("cloud-0", "cloud-65539", "scaled-tiny", "scaled-huge", "one-point")
 
 
 @dataclass(slots=True)

@@ -63,6 +63,21 @@ def test_every_right_traversal_loses_what_is_lost_and_no_more(skipped: str) -> N
         assert (found == ~trial.lost).all()
 
 
+def test_special_rays_are_of_three_kinds() -> None:
+    """From within the box, along an axis, and with limits around what they aim at."""
+    mesh, tree = planted("terrain-1200")
+    *_, trial = altered_trials(4, "terrain-1200", mesh, tree)
+    rays = trial.rays
+    low, high = mesh.vertices.min(axis=0), mesh.vertices.max(axis=0)
+    within = ((rays.origin >= low) & (rays.origin <= high)).all(axis=1)
+    along = np.count_nonzero(rays.direction, axis=1) == 1
+    limited = rays.t_max == 1
+    assert (within.astype(int) + along + limited == 1).all()
+    for kind in (within, along, limited):
+        assert np.count_nonzero(kind & trial.lost) > 20
+        assert np.count_nonzero(kind & ~trial.lost) > 20
+
+
 def test_there_is_enough_to_lose_and_to_keep() -> None:
     """Some ten rays and more on either side, on every altered tree."""
     for trial in trials():
@@ -87,7 +102,7 @@ def test_the_altered_tree_keeps_its_shape() -> None:
 def test_replaced_leaves_hold_the_faces_of_leaves_that_are_left() -> None:
     """Some faces are in no leaf, and of the others none is in a wrong box only."""
     mesh, tree = planted("terrain-1200")
-    (spoiled, _) = altered_trials(4, "terrain-1200", mesh, tree)
+    spoiled, *_ = altered_trials(4, "terrain-1200", mesh, tree)
     leaves = np.flatnonzero(leaves_of(tree) & (tree.end > 0))
     own = spoiled.tree.begin[leaves] == tree.begin[leaves]
     assert 0.2 < np.mean(~own) < 0.3
@@ -102,7 +117,7 @@ def test_replaced_leaves_hold_the_faces_of_leaves_that_are_left() -> None:
 def test_half_of_the_shrunk_boxes_hold_all_below(name: str) -> None:
     """Nothing sticks out of them by which somebody could tell that a tree was altered."""
     mesh, tree = planted(name)
-    *_, trial = altered_trials(4, name, mesh, tree)
+    _, trial, _ = altered_trials(4, name, mesh, tree)
     low, high, used = trial.tree.low, trial.tree.high, tree.end > tree.begin
     changed = np.flatnonzero((high != tree.high).any(axis=1))
     tops = [int(node) for node in changed if (node - 1) // 2 not in changed]

@@ -71,7 +71,7 @@ def test_shapes_are_what_they_are_called() -> None:
     assert np.count_nonzero(~np.isfinite(area)) == 50
     assert not np.isfinite(flatness(corners_of(mesh_named(1, "zero-area")))).any()
     assert mesh_named(1, "octant-negative").vertices.max() < 0
-    assert len(mesh_named(1, "cloud-65600").faces) > 2**16
+    assert len(mesh_named(1, "cloud-65539").faces) > 2**16
     assert np.ptp(mesh_named(1, "scaled-small").vertices) < 1e-2
     assert np.ptp(mesh_named(1, "scaled-tiny").vertices) < 1e-11
     assert np.abs(mesh_named(1, "scaled-huge").vertices).min() > 1e12

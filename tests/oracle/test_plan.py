@@ -23,7 +23,16 @@ from grader.oracle.meshes import SHAPES
 from grader.oracle.plan import Plan, kept_plan, make_plan
 from tests.oracle.treebuilder import tree_of
 
-SMALL = ("cloud-0", "cloud-1", "cloud-4", "cloud-5", "cloud-37", "terrain-1200", "cloud-9")
+SMALL = (
+    "cloud-0",
+    "cloud-1",
+    "cloud-4",
+    "cloud-5",
+    "cloud-9",
+    "cloud-37",
+    "cloud-64",
+    "terrain-1200",
+)
 
 
 def fingerprint(value: object) -> object:
@@ -59,6 +68,7 @@ def _small(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(module, "ALTERED", ("terrain-1200",))
     monkeypatch.setattr(repeated, "REPEATED", (("terrain-1200", "cloud-5"),))
     monkeypatch.setattr(repeated, "REPEATED_RAYS", 50)
+    monkeypatch.setattr(repeated, "GROWING", ("terrain-1200", "cloud-1"))
     monkeypatch.setattr(work, "WORK", (("nested", 50),))
     monkeypatch.setattr(work, "SPECIAL_RAYS", 10)
     monkeypatch.setattr("grader.oracle.thicket.FACES", 200)

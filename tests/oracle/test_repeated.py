@@ -2,13 +2,13 @@
 
 import numpy as np
 
-from grader.oracle.repeated import REPEATED, TWIN, repeat_trials
+from grader.oracle.repeated import GROWING, REPEATED, TWIN, repeat_trials
 from tests.oracle.treebuilder import planted, tree_of
 
 
 def test_the_last_ray_tells_one_mesh_from_the_other() -> None:
-    """It hits one of the two only; answers belong to their rays."""
-    names = {TWIN, *(name for pair in REPEATED for name in pair)}
+    """It hits one of the two only, unless both are alike; answers belong to their rays."""
+    names = {TWIN, *(name for pair in (*REPEATED, GROWING) for name in pair)}
     scenes = {name: planted(name) for name in names}
     trials = repeat_trials(
         7,
@@ -16,11 +16,15 @@ def test_the_last_ray_tells_one_mesh_from_the_other() -> None:
         {name: tree for name, (_, tree) in scenes.items()},
         lambda meshes: [tree_of(mesh) for mesh in meshes],
     )
-    assert len(trials) == len(REPEATED) + 1
-    for trial in trials:
+    *others, reflection, reverse, growing = trials
+    assert len(others) == len(REPEATED)
+    for trial in (*others, reflection):
         assert trial.answers.limit.size == len(trial.rays.t_min)
         last = (trial.answers.limit[-1], trial.other_answers.limit[-1])
         assert np.isfinite(last).sum() == 1
-    twin = trials[-1]
-    assert (twin.mesh.faces == twin.other_mesh.faces).all()
-    assert (twin.mesh.vertices == -twin.other_mesh.vertices).all()
+    assert (reflection.mesh.faces == reflection.other_mesh.faces).all()
+    assert (reflection.mesh.vertices == -reflection.other_mesh.vertices).all()
+    assert (reverse.mesh.faces[::-1] == reverse.other_mesh.faces).all()
+    assert (reverse.answers.limit == reverse.other_answers.limit).all()
+    assert [trial.sanitized for trial in trials] == [False] * 4 + [True]
+    assert growing.other_tree.node_count < growing.tree.node_count

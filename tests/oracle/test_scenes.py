@@ -27,8 +27,6 @@ from grader.oracle.scenes import (
 from grader.oracle.storage import load_mesh_file, mesh_sha256, save_mesh
 from grader.resources import scenes_folder
 
-MIB = 2**20
-
 
 def test_the_sheets_scenes_are_there() -> None:
     """The grid of figure 3, nested spheres, loose and thin triangles, land, three dragons."""

@@ -8,17 +8,22 @@ from grader.model.trials import WorkTrial
 from grader.oracle import work
 from grader.oracle.brute import chosen
 from grader.oracle.costs import plain_costs
-from grader.tolerances import SPECIAL_WASTE
+from grader.tolerances import SPECIAL_WASTE, WASTE
 from tests.oracle.treebuilder import tree_of
 
 
-@pytest.fixture(scope="module", name="special")
-def trial_of_special_rays() -> WorkTrial:
-    """Draw the trials on the small mesh only, and give the last one."""
+@pytest.fixture(scope="module", name="trials")
+def trials_on_small_meshes() -> list[WorkTrial]:
+    """Draw the trials, without the larger of the stored meshes."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(work, "WORK", (("dragon-res4", 50),))
-        ordinary, special = work.work_trials(3, lambda meshes: [tree_of(one) for one in meshes])
-    assert (ordinary.special, special.special) == (False, True)
+        return work.work_trials(3, lambda meshes: [tree_of(one) for one in meshes])
+
+
+@pytest.fixture(scope="module", name="special")
+def trial_of_special_rays(trials: list[WorkTrial]) -> WorkTrial:
+    """Give the only one of its kind."""
+    (special,) = (each for each in trials if each.special)
     return special
 
 
@@ -55,3 +60,11 @@ def test_looking_at_limits_later_is_not(special: WorkTrial) -> None:
     )
     plain = special.box_tests + special.triangle_tests
     assert sum(plain_costs(special.tree, endless)) < 2 * plain
+
+
+def test_a_floor_is_flat_and_its_tree_excludes_most_of_it(trials: list[WorkTrial]) -> None:
+    """Who takes every flat box for hit does many times as many tests as are allowed."""
+    floor = trials[-1]
+    used = floor.tree.end > floor.tree.begin
+    assert (floor.tree.low[used, 2] == floor.tree.high[used, 2]).all()
+    assert len(floor.mesh.faces) > 10 * WASTE * (floor.box_tests + floor.triangle_tests)

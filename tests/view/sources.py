@@ -34,7 +34,6 @@ HANGS_AT_THE_RIGHT = tracing(f"{RIGHT} {{ {HANG} }}")
 CRASHES_IN_CONSTRUCT = constructing(CRASH)
 THROWS = tracing('throw "on purpose";')
 LEAVES = tracing(f"{RIGHT} {{ std::exit(0); }}")
-MISSES = tracing(f"{RIGHT} {{ return {{}}; }}")
 
 
 def reference() -> str:

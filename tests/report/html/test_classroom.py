@@ -25,7 +25,6 @@ from tests.report import samples
 from tests.report.hostile import HOSTILE
 
 CHECKS = [each.id for each in every_check()]
-VERDICTS = tuple((check, "pass") for check in CHECKS)
 
 
 def row(name: str, score: float | None = 50.0, *failed: str, cause: str = "") -> Row:
