@@ -1,4 +1,4 @@
-"""Every hostile submission is graded end to end at each level, and gets nowhere.
+"""Every hostile submission is graded end to end, at each level that it could feel: it gets nowhere.
 
 The limits are tighter than the shipped ones, so that what runs into them does so soon. All the
 rest is the grader as it is; only what no check of a run looks at is left out of its build.
@@ -51,13 +51,25 @@ BOMB_SECONDS = {"seconds": 3, "wall_seconds": 8}
 _SANITIZED = ("bvh.memory-is-safe", "hits.memory-is-safe", "bvh.depth-is-limited")
 
 
-def each_in_one_process() -> list[Any]:
+ON_VERDICTS = frozenset(
+    ("brute", "callgraph", "chance", "detect", "forge", "interpose", "known", "linker", "state")
+)
+"""Topics of attacks that stay within their own process: nothing there knows the level."""
+
+
+def at_every_level() -> list[Any]:
     """Both levels of an attack in the same process, so that it is compiled once."""
     return [
-        pytest.param(attack, marks=pytest.mark.xdist_group(name), id=name)
+        pytest.param(attack, level, marks=pytest.mark.xdist_group(name), id=f"{name}-{level}")
         for attack in every_attack()
-        if (name := attack.path.stem)
+        for level in ("A", "B")
+        if (name := attack.path.stem) and (level == "A" or topic(name) not in ON_VERDICTS)
     ]
+
+
+def topic(name: str) -> str:
+    """What an attack is about: the first word of its name."""
+    return name.partition("-")[0]
 
 
 @pytest.fixture(scope="session")
@@ -77,10 +89,9 @@ def witness(warm: None, monkeypatch: pytest.MonkeyPatch) -> Generator[Witness]:
         yield witness
 
 
-@pytest.mark.parametrize("level", ["A", "B"])
-@pytest.mark.parametrize("attack", each_in_one_process())
+@pytest.mark.parametrize(("attack", "level"), at_every_level())
 def test_an_attack_gets_nowhere(
-    level: str, attack: Attack, witness: Witness, monkeypatch: pytest.MonkeyPatch
+    attack: Attack, level: str, witness: Witness, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """It earns what its header says; nothing is read, written, called, left or believed."""
     monkeypatch.setattr(pipeline, "proved_isolation", partial(proved_isolation, level))
