@@ -1,4 +1,4 @@
-"""Every hostile submission is graded end to end, at each level that it could feel: it gets nowhere.
+"""Every hostile submission is graded end to end, at each level that it could feel: in vain.
 
 The limits are tighter than the shipped ones, so that what runs into them does so soon. All the
 rest is the grader as it is; only what no check of a run looks at is left out of its build.
