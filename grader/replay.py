@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from grader.counterexample.describe import described
-from grader.counterexample.probe import Effort, Probe, decided, steady
+from grader.counterexample.probe import Effort, Probe, TooLate, decided, steady
 from grader.counterexample.reading import read
 from grader.counterexample.revived import trial_of
 from grader.errors import GraderError, UsageError
@@ -47,13 +47,18 @@ def replay(path: Path, file: Path, options: Options) -> Replay:
             return Replay(check.id, check.title, None, engines)
         probe = Probe(check, engines, Effort(time.monotonic() + PATIENCE, PATIENCE), None)
         with np.errstate(all="ignore"):
-            return _judged(check, probe, trial)
+            try:
+                return _judged(check, probe, trial)
+            except TooLate:
+                late = f"it did not come back within {PATIENCE:g} s"
+                return Replay(check.id, check.title, None, late)
 
 
 def _judged(check: Check, probe: Probe, trial: Trial) -> Replay:
     """Decide the check on what the trial delivers; only what was decided can be a pass.
 
     Raises:
+        TooLate: The clock ended it.
         GraderError: The check itself failed.
     """
     cases = probe.cases(trial)

@@ -20,16 +20,21 @@ from tests.verify.builder import soup
 
 Replayed = Callable[..., tuple[int, str]]
 
-ENDS = f"""{BEGIN}#include <cstdlib>
+SLEEPS = 3
+
+ENDS = f"""{BEGIN}#include <chrono>
+#include <cstdlib>
+#include <thread>
 void BVH::construct(const Mesh& mesh) {{
   const size_t faces = mesh.getFaces().size();
   if (faces == 4) std::abort();
+  if (faces == {SLEEPS}) std::this_thread::sleep_for(std::chrono::hours(1));
   for (volatile int i = 0; faces == 2; i = 1) {{}}
   nodes.assign(1, Node{{mesh.getBounds(), 0, uint32_t(faces)}});
   faceIndices.assign(faces == 1 ? 0 : faces, 0);
 }}
 {INTERSECT}"""
-"""Dies, loops or leaves an unreadable tree, by the number of faces."""
+"""Dies, sleeps, loops or leaves an unreadable tree, by the number of faces."""
 
 CHECK = "bvh.root-holds-all-faces"
 
@@ -46,6 +51,8 @@ def replayed(engines: Engines, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
     monkeypatch.setattr(grader.replay, "engines_for", lambda *_: engines)
 
     def run(check: str, faces: int, sanitized: bool = False) -> tuple[int, str]:
+        if faces == SLEEPS:
+            monkeypatch.setattr(grader.replay, "PATIENCE", 3.0)
         trial = ConstructTrial("tree", soup(faces), sanitized=sanitized)
         file = tmp_path / "file.json"
         file.write_text(to_text(replace(small(), check=check, trial=trial)))
@@ -59,12 +66,13 @@ def replayed(engines: Engines, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
     ("faces", "told"),
     [
         (4, "ended by SIGABRT"),
+        (SLEEPS, "it did not come back within 3 s"),
         (2, "stopped after 1 s of computing time"),
         (1, "because bvh.is-readable fails on this input"),
     ],
 )
 def test_what_is_not_decided_is_no_pass(replayed: Replayed, faces: int, told: str) -> None:
-    """A crash, an endless loop, an unreadable tree: how it ended, and status 1."""
+    """A crash, a sleep, an endless loop, an unreadable tree: how it ended, and status 1."""
     status, output = replayed(CHECK, faces)
     assert (status, told in output) == (1, True), output
     assert "any more" not in output
