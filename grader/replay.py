@@ -6,17 +6,21 @@ from pathlib import Path
 import numpy as np
 
 from grader.counterexample.describe import described
-from grader.counterexample.probe import Effort, Probe
+from grader.counterexample.probe import Effort, Probe, TooLate, decided, steady
 from grader.counterexample.reading import read
 from grader.counterexample.revived import trial_of
-from grader.errors import UsageError
+from grader.errors import GraderError, UsageError
+from grader.model.cases import MemoryCase, SurvivalCase
 from grader.model.counterexample import Replay
+from grader.model.trials import Trial
+from grader.model.verdict import Verdict
 from grader.options import Options
 from grader.pipeline import engines_for
 from grader.sandbox.nursery import Nursery
 from grader.sandbox.scratch import scratch_folder
 from grader.solution import Solution
 from grader.verify import every_check
+from grader.verify.check import Check
 from grader.verify.planned import kinds_of
 
 PATIENCE = 30.0
@@ -41,11 +45,37 @@ def replay(path: Path, file: Path, options: Options) -> Replay:
         engines = engines_for(path, folder, nursery, options, trial)
         if isinstance(engines, str):
             return Replay(check.id, check.title, None, engines)
-        effort = Effort(time.monotonic() + PATIENCE, PATIENCE)
-        probe = Probe(check, engines, effort, None)
+        probe = Probe(check, engines, Effort(time.monotonic() + PATIENCE, PATIENCE), None)
         with np.errstate(all="ignore"):
-            evidence = probe.alone(trial)
-            if evidence is None:
-                return Replay(check.id, check.title, None)
-            found = described(probe, Solution(), trial, trial.name, evidence)
+            try:
+                return _judged(check, probe, trial)
+            except TooLate:
+                late = f"it did not come back within {PATIENCE:g} s"
+                return Replay(check.id, check.title, None, late)
+
+
+def _judged(check: Check, probe: Probe, trial: Trial) -> Replay:
+    """Decide the check on what the trial delivers; only what was decided can be a pass.
+
+    Raises:
+        TooLate: The clock ended it.
+        GraderError: The check itself failed.
+    """
+    cases = probe.cases(trial)
+    findings = [one for case in cases if (one := decided(check, steady(case)))]
+    first = {one.verdict: one for one in reversed(findings)}
+    if failed := first.get(Verdict.FAIL):
+        found = described(probe, Solution(), trial, trial.name, failed.evidence)
         return Replay(check.id, check.title, found)
+    if broken := first.get(Verdict.BROKEN):
+        last = broken.reason.strip().rpartition("\n")[2]
+        message = f"{check.id} itself failed on this input: {last}"
+        raise GraderError(message)
+    if Verdict.PASS in first:
+        return Replay(check.id, check.title, None)
+    if blocked := first.get(Verdict.BLOCKED):
+        why = f"it cannot be decided, because {blocked.reason} fails on this input"
+        return Replay(check.id, check.title, None, why)
+    details = [one.ending.detail for one in cases if isinstance(one, SurvivalCase | MemoryCase)]
+    why = details[0] if details else "the build that this check runs could not be made"
+    return Replay(check.id, check.title, None, why or "there is nothing here to decide it by")

@@ -50,7 +50,8 @@ _OF_THE_LIBRARY = (b"_ZNSt", b"_ZSt", b"_ZNKSt")
 _DATA = {b"stdin", b"stdout", b"stderr", b"environ"}
 _TABLE = re.compile(rb"^\.(?:quad|xword|8byte)\s+([\w.$\x80-\xff]{1,4096})")
 _FILE = re.compile(rb'^\s*\.file\s+(\d+)\s+(?:"[^"\n]*"\s+)?"([^"\n]*)"')
-_LINE = re.compile(rb"^\s*\.loc\s+(\d+)\s+(\d{1,7})\b")
+# Line 0 is a compiler's word for code that belongs to no line.
+_LINE = re.compile(rb"^\s*\.loc\s+(\d+)\s+([1-9]\d{0,6})\b")
 
 
 class Tangled(Exception):

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from pathlib import Path
+from tempfile import mkdtemp
 
 from grader.build.callgraph import Tangled, read_assembly
 from grader.build.compiler import find_compiler
@@ -91,13 +92,16 @@ def compile_submission(submission: Submission, order: Compilation) -> Build:
         if not compiled:
             pool.shutdown(wait=False, cancel_futures=True)
             if linked.unexplained:
-                _blame(graded, work)
+                _blame(graded.linking, graded, work)
         safe = _sanitized(sanitizing, small, work) if compiled else _Sanitized()
+        calls = graph.result() if compiled and graph else None
+        if compiled and graph and calls is None:
+            _blame(graded.listing, graded, work)
     return Build(
         library=linked.library,
         sanitized=safe.small,
         deep=safe.deep,
-        calls=graph.result() if compiled and graph else None,
+        calls=calls,
         diagnostics=linked.diagnostics,
         compiler=compiler.title,
         flags=_flags(graded),
@@ -132,20 +136,19 @@ def _sanitized(
     if deep is None:
         return _Sanitized(small.library if small else None)
     if deep.unexplained:
-        _blame(_deep(framework), work)
+        _blame(_deep(framework).linking, framework, work)
     library = (small.library or deep.library) if small else None
     return _Sanitized(library, deep.library, _unsanitized(deep))
 
 
-def _blame(framework: Workspace, work: Compilation) -> None:
+def _blame(command: tuple[str, ...], framework: Workspace, work: Compilation) -> None:
     """Make sure that it is the submission that the compiler does not get through.
 
     Raises:
         BuildFault: Our own solution does not compile now either: a full disk, no process left.
     """
     own = Submission("reference", SOURCE_NAME, reference_source().read_bytes(), "")
-    aside = prepared(own, replace(work, folder=work.folder / "control"))
-    command = (*framework.compile_command, SOURCE_NAME, *framework.link_words)
+    aside = prepared(own, replace(work, folder=Path(mkdtemp(dir=work.folder))))
     outcome, content = _made(command, framework, aside, f"{GRADED.name}.so")
     if content is None:
         words = outcome.err.decode(errors="replace").strip()[-500:]
@@ -213,9 +216,7 @@ def _flags(framework: Workspace) -> tuple[str, ...]:
 def _link(framework: Workspace, work: Compilation, name: str) -> _Linked:
     """Compile and link one flavour; whatever goes wrong is the submission's fault."""
     product = f"{name}.so"
-    # The submission comes first, so that its functions win over the weak stand-ins.
-    command = (*framework.compile_command, SOURCE_NAME, *framework.link_words)
-    outcome, content = _once(command, framework, work, product)
+    outcome, content = _once(framework.linking, framework, work, product)
     messages = read_diagnostics(outcome.err)
     if content is None:
         silent = not any(message.severity == "error" for message in messages)
@@ -230,8 +231,7 @@ def _link(framework: Workspace, work: Compilation, name: str) -> _Linked:
 
 def call_graph(framework: Workspace, work: Compilation) -> CallGraph | None:
     """Ask the front end who calls whom; None if that cannot be found out in time."""
-    command = (*framework.graph_command, "-S", SOURCE_NAME)
-    _, content = _once(command, framework, work, f"{_GRAPH}.s")
+    _, content = _once(framework.listing, framework, work, f"{_GRAPH}.s")
     try:
         return None if content is None else read_assembly(content)
     except Tangled:

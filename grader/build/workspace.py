@@ -89,6 +89,19 @@ class Workspace:
     compiler_folders: tuple[Path, ...]
     """Where the compiler lies, if not among the system's programs."""
 
+    @property
+    def linking(self) -> tuple[str, ...]:
+        """What makes a library of a submission, which lies where the given file lay.
+
+        It comes first, so that its functions win over the weak stand-ins.
+        """
+        return (*self.compile_command, PLACEHOLDER, *self.link_words)
+
+    @property
+    def listing(self) -> tuple[str, ...]:
+        """What makes the assembly text of a submission."""
+        return (*self.graph_command, "-S", PLACEHOLDER)
+
 
 def workspace(compiler: Compiler, flavour: Flavour) -> Workspace:
     """Return the framework of one flavour, compiled now if it is not in the cache.

@@ -26,4 +26,4 @@ def replayed(order: "Order", file: Path) -> int:
         told = replay(order.path, file, options)
     with patient_stdout():
         print_replay(Console(), told)
-    return LOST_POINTS if told.found or told.refused else FULL_MARKS
+    return LOST_POINTS if told.found or told.undecided else FULL_MARKS

@@ -61,7 +61,7 @@ class Replay:
     check: str
     title: str
     found: Counterexample | None
-    """None if the check does not fail on it any more."""
+    """None if the check passes on it now, or is undecided."""
 
-    refused: str = ""
-    """Why the submission could not be run at all."""
+    undecided: str = ""
+    """Why the submission could not be run, or ended before the check could tell."""

@@ -17,14 +17,14 @@ if TYPE_CHECKING:
 def print_replay(console: Console, told: "Replay") -> None:
     """Print the check, and what is wrong if it still fails."""
     sheet = Sheet(console)
-    passed = told.found is None and not told.refused
+    passed = told.found is None and not told.undecided
     verdict = Verdict.PASS if passed else Verdict.FAIL
     mark = Text.assemble((f"{sheet.glyphs.named(verdict)}  ", STYLES[verdict]))
     for line in sheet.wrapped(sheet.line(told.title), sheet.width - mark.cell_len):
         sheet.lines.append(mark.append(line, "bold"))
         mark = Text(" " * mark.cell_len)
-    if told.refused:
-        sheet.beside("", told.refused)
+    if told.undecided:
+        sheet.beside("", told.undecided)
     elif told.found is None:
         sheet.say(f"{told.check} does not fail on this input any more.", "green")
     else:

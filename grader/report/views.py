@@ -2,7 +2,8 @@
 
 Pictures are lossless WebP: a wrong pixel must not be invented or lost by the encoding. What a
 submission sees as Mitsuba does is transparent in its picture, which lies over Mitsuba's.
-Scenes are halved, those without a mistake first, until all fit into `LARGEST`.
+Scenes are halved, those without a mistake first, until all fit into `LARGEST`. What a page
+cannot take even then is left out.
 """
 
 import base64
@@ -18,6 +19,7 @@ from grader.model.counterexample import NodeTable
 from grader.model.mesh import Bytes, Floats, Integers
 from grader.model.views import Drawing, Model, Picture, ShownRay, Views
 from grader.report.colours import HEAT, MAGMA
+from grader.report.escape import plain_number
 
 Json = dict[str, Any]
 
@@ -26,6 +28,9 @@ SCHEMA_VERSION = 1
 LARGEST = 330_000
 """Bytes of all pictures together, as text. With a mesh of 20,000 faces a report stays below
 600,000."""
+
+MOST_PACKED = 900_000
+"""Characters of packed data that a page takes; a browser gets slow, and mail refuses it."""
 
 ENCODERS = 2
 """Pictures that are encoded at the same time."""
@@ -40,17 +45,40 @@ as much as all others."""
 
 def to_text(views: Views) -> str:
     """Write views as the text of `views.json`."""
-    return json.dumps(to_json(views), separators=(",", ":"), allow_nan=False) + "\n"
+    values, marks = to_json(views), (",", ":")
+    return json.dumps(values, separators=marks, allow_nan=False, default=plain_number) + "\n"
 
 
 def to_json(views: Views) -> Json:
     """Turn views into the values of `views.json`."""
+    models = [model_json(one) for one in views.models]
+    pictures, models = _fitted(_pictures(views.pictures), models)
     return {
         "schema": SCHEMA_VERSION,
-        "pictures": _pictures(views.pictures),
-        "models": [model_json(one) for one in views.models],
+        "pictures": pictures,
+        "models": models,
         "tables": [_table(check, table) for check, table in views.tables],
     }
+
+
+def _fitted(pictures: list[Json], models: list[Json]) -> tuple[list[Json], list[Json]]:
+    """Leave out what a page cannot take: inputs of checks first, then pictures, then scenes."""
+    while sum(map(packed_size, (*pictures, *models))) > MOST_PACKED:
+        inputs = [one for one in models if one["check"]]
+        dropped = max(
+            inputs or pictures or models,
+            key=lambda one: (not one.get("wrong"), packed_size(one)),
+        )
+        pictures = [one for one in pictures if one is not dropped]
+        models = [one for one in models if one is not dropped]
+    return pictures, models
+
+
+def packed_size(one: Json) -> int:
+    """Return the characters of packed data in a picture or a model."""
+    if "images" in one:
+        return _size(one)
+    return len(one["mesh"]["data"]) + len(one["boxes"]["data"])
 
 
 def _table(check: str, table: NodeTable) -> Json:

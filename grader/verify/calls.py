@@ -32,7 +32,7 @@ def callees_of(graph: CallGraph) -> Callees:
         # Filling a function object is not yet a call of what it holds.
         if not _inside_the_library(call) and not _is_target(call.callee):
             callees[call.caller].add(call.callee)
-    selves = {target for name in graph.selves for target in _filled(graph, name)}
+    selves = _filled(graph)
     pointed = set(filter(_is_pointed_at, callees.pop(ANYTHING, set())))
     builders = set(filter(speaks_of_nodes, names_of(callees)))
     for called, targets in ((ANYTHING, pointed - elsewhere), *_objects(graph, elsewhere)):
@@ -74,13 +74,13 @@ def _from(callees: Callees, name: str) -> set[str]:
     return reachable(callees, [name]) | {name}
 
 
-def _filled(graph: CallGraph, name: str) -> set[str]:
-    """What a constructor of `std::function`, or an assignment to one, puts into it."""
+def _filled(graph: CallGraph) -> set[str]:
+    """What is put into each `std::function` that its own lambda holds; one walk for all."""
     fillers: Callees = defaultdict(set)
     for call in (*graph.calls, *graph.taken):
         if call.caller.startswith("_ZNSt8functionI"):
             fillers[call.caller].add(call.callee)
-    return {target for target in reachable(fillers, [name]) if _is_target(target)}
+    return {target for target in reachable(fillers, graph.selves) if _is_target(target)}
 
 
 def _objects(graph: CallGraph, elsewhere: set[str]) -> Iterator[tuple[str, set[str]]]:

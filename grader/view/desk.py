@@ -21,7 +21,7 @@ from grader.sandbox.scratch import scratch_folder
 from grader.solution import Solution
 from grader.view.boxes import deepest_of
 from grader.view.camera import Orbit
-from grader.view.stage import Stage, State
+from grader.view.stage import Stage, State, fitting
 from grader.view.subject import Subject, of_scene
 from grader.view.thinned import thinned
 from grader.view.workshop import Product, built, our_own
@@ -50,7 +50,7 @@ class Desk:
     """Counts subjects, so that a pane notices another one."""
 
     size = 512, 512
-    """Of the right pane in pixels."""
+    """Of what is traced, in pixels; the right pane may have more."""
 
     mode = Mode.SHADED
     level, only = USUAL_LEVEL, False
@@ -152,9 +152,9 @@ class Desk:
         self._show()
 
     def resize(self, width: int, height: int) -> None:
-        """Have another size."""
-        if (width, height) != self.size and width > 0 and height > 0:
-            self.size = width, height
+        """Have another size, in fewer pixels if those are too many to be traced."""
+        if width > 0 and height > 0 and fitting(width, height) != self.size:
+            self.size = fitting(width, height)
             self._show()
 
     def compare(self, mode: Mode) -> None:

@@ -115,7 +115,7 @@ class Panes:
         corner = imgui.get_cursor_screen_pos()
         _image(imgui, preview.texture, size, upright=False)
         if is_clicked(imgui):
-            self._study.pick(_pixel(imgui, corner, size))
+            self._study.pick(pixel_at(_mouse(imgui, corner), size, desk.size))
         self._steered(imgui, size)
         if desk.orbit is not None:
             self._strokes(imgui, corner, size, desk.orbit)
@@ -136,7 +136,7 @@ class Panes:
         corner = imgui.get_cursor_screen_pos()
         _image(imgui, self._right if self.shown else None, size, upright=True)
         if is_clicked(imgui):
-            self._study.follow(_pixel(imgui, corner, size))
+            self._study.follow(pixel_at(_mouse(imgui, corner), size, self._desk.size))
         self._steered(imgui, size)
 
     def _steered(self, imgui: ModuleType, size: tuple[int, int]) -> None:
@@ -181,8 +181,14 @@ def _image(
     imgui.image(imgui.ImTextureRef(texture.glo), size, first, last)
 
 
-def _pixel(imgui: ModuleType, corner: Any, size: tuple[int, int]) -> tuple[int, int]:  # noqa: ANN401 - ImVec2
-    """Column and row under the mouse."""
+def _mouse(imgui: ModuleType, corner: Any) -> tuple[float, float]:  # noqa: ANN401 - ImVec2
     at = imgui.get_mouse_pos()
-    column, row = int(at.x - corner.x), int(at.y - corner.y)
-    return min(max(column, 0), size[0] - 1), min(max(row, 0), size[1] - 1)
+    return at.x - corner.x, at.y - corner.y
+
+
+def pixel_at(
+    place: tuple[float, float], size: tuple[int, int], traced: tuple[int, int]
+) -> tuple[int, int]:
+    """Return column and row of what is traced at a place in a pane, which may be larger."""
+    column, row = (int(place[axis] * traced[axis] / size[axis]) for axis in (0, 1))
+    return min(max(column, 0), traced[0] - 1), min(max(row, 0), traced[1] - 1)

@@ -1,5 +1,6 @@
 """A subject, the process that made a tree of it and traces it, and how both are doing."""
 
+import math
 import time
 from enum import Enum
 
@@ -21,6 +22,12 @@ MOST_PIXELS = 1 << 20
 """Of one picture; with its coarser levels it has 7 % more rays."""
 
 MOST_RAYS = MOST_PIXELS + (MOST_PIXELS >> 3)
+
+
+def fitting(width: int, height: int) -> tuple[int, int]:
+    """Shrink a picture to at most `MOST_PIXELS`, in the same shape."""
+    scale = min(1.0, math.sqrt(MOST_PIXELS / (width * height)))
+    return max(1, int(width * scale)), max(1, int(height * scale))
 
 
 class State(Enum):
@@ -90,7 +97,7 @@ class Stage:
     def show(self, orbit: Orbit, width: int, height: int) -> None:
         """Trace another picture; one that is too large is traced in fewer pixels."""
         if self.state is not State.ENDED:
-            self.traced.begin(orbit, width, height)
+            self.traced.begin(orbit, *fitting(width, height))
 
     @property
     def is_tracing(self) -> bool:

@@ -73,6 +73,12 @@ def test_functions_have_their_first_own_line(text: str) -> None:
     assert read_assembly(text.encode()).lines == (("_ZL4growi", 7),)
 
 
+def test_line_zero_names_no_place() -> None:
+    """Lines count from 1; inline assembly writes what it likes before the function's own."""
+    text = GNU.replace("\t.loc 1 7 1", "\t.loc 1 0 0\n\t.loc 1 7 1")
+    assert read_assembly(text.encode()).lines == (("_ZL4growi", 7),)
+
+
 @pytest.mark.parametrize("directive", [".set", ".equ"])
 def test_a_constructor_of_two_names_is_one_function(directive: str) -> None:
     """Callers name the one, the body has the other; other equal numbers are no functions."""

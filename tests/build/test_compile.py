@@ -12,7 +12,10 @@ from grader.run.job import Job
 from grader.run.protocol import Op
 from grader.run.session import run_job
 from grader.run.transfer import give_mesh
+from grader.sandbox.box import Box, Isolation
+from grader.sandbox.confine import confined
 from grader.sandbox.launch import Outcome
+from grader.sandbox.target import Target
 from tests.build.compilers import COMPILERS, Compile
 from tests.compiled import (
     BEGIN,
@@ -218,11 +221,39 @@ def test_a_compiler_that_stood_in_line_is_no_fault_of_the_submission(
         assert error.text == "compiling took longer than 60 s"
 
 
+FULL = Outcome(1, False, b"", b"as: No space left on device\n", 0.1, 0.1)
+
+
 def test_a_machine_that_compiles_nothing_is_no_fault_of_the_submission(
     cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """No line of the file is named, and our own solution fails in the same way."""
-    full = Outcome(1, False, b"", b"as: No space left on device\n", 0.1, 0.1)
-    monkeypatch.setattr(compile, "confined", lambda *_: full)
+    monkeypatch.setattr(compile, "confined", lambda *_: FULL)
     with pytest.raises(BuildFault, match="our own solution either: as: No space left"):
         whole_build(STARTER.read_text() + "// never compiled before\n", tmp_path)
+
+
+@pytest.mark.parametrize("ours", [True, False])
+def test_a_machine_that_lists_no_calls_is_no_fault_of_the_submission(
+    cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, ours: bool
+) -> None:
+    """The disk is full when the calls are listed, for everybody or for this submission only."""
+    starts = confined
+    listed: list[Path] = []
+
+    def full(target: Target, box: Box, entry: Path, isolation: Isolation) -> Outcome:
+        if "-S" not in target.arguments:
+            return starts(target, box, entry, isolation)
+        listed.append(target.folder or tmp_path)
+        return FULL if ours or len(listed) == 1 else starts(target, box, entry, isolation)
+
+    monkeypatch.setattr(compile, "confined", full)
+    source = STARTER.read_text() + f"// never listed before, {ours}\n"
+    if ours:
+        with pytest.raises(BuildFault, match="our own solution either: as: No space left"):
+            partial_build(source, tmp_path, Further.CALLS)
+    else:
+        build = partial_build(source, tmp_path, Further.CALLS)
+        assert build.library
+        assert build.calls is None
+    assert len(set(listed)) == 2

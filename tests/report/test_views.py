@@ -5,6 +5,7 @@ import io
 import json
 import zlib
 from dataclasses import replace
+from typing import cast
 
 import numpy as np
 import pytest
@@ -13,8 +14,11 @@ from PIL import Image
 from grader.model.mesh import Bytes, Mesh
 from grader.model.views import Views
 from grader.report import views as module
+from grader.report.as_json import to_json as as_json
+from grader.report.html.submission import to_html
 from grader.report.views import to_json, to_text
 from tests.gallery.shown import SIDE, model, picture
+from tests.report import samples
 from tests.report.small_inputs import small
 from tests.verify.builder import soup
 
@@ -86,6 +90,33 @@ def test_a_mesh_comes_back_within_its_grid() -> None:
     assert (faces == mesh.faces).all()
 
 
+def crowded_views(scenes: int) -> Views:
+    """Make 27 inputs of checks, and so many pictures, of which the last has a mistake."""
+    pictures = [picture(f"{k}") for k in range(scenes - 1)]
+    sizes = (1000, 20, *[900] * 25)
+    inputs = [replace(model(soup(faces)), check=f"c{faces}") for faces in sizes]
+    scene = replace(model(soup(2000)), check="")
+    return Views((*pictures, picture("wall", (0, 0))), (*inputs, scene))
+
+
+def test_the_largest_inputs_that_a_page_cannot_take_are_left_out() -> None:
+    """Pictures, the scene and small inputs stay, and the page can be written."""
+    views = to_json(crowded_views(scenes=2))
+    left = [one["check"] for one in views["models"]]
+    assert (left[0], left[-1], len(views["pictures"])) == ("c20", None, 2)
+    assert 10 < left.count("c900") < 25
+    assert to_html(as_json(samples.failing()), views, "en")
+
+
+def test_pictures_that_a_page_cannot_take_are_left_out(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As with many scenes that cannot be halved; the one with a mistake stays."""
+    monkeypatch.setattr(module, "SMALLEST", SIDE)
+    views = to_json(crowded_views(scenes=8))
+    assert [one["check"] for one in views["models"]] == [None]
+    assert (len(views["pictures"]), views["pictures"][-1]["scene"]) == (5, "wall")
+    assert to_html(as_json(samples.failing()), views, "en")
+
+
 def test_boxes_and_the_ray_are_told() -> None:
     """Empty slots are NaN in the bytes; what JSON lacks is null."""
     (made,) = to_json(Views((), (model(soup(5)),)))["models"]
@@ -120,6 +151,15 @@ def test_a_mesh_without_faces_can_be_told() -> None:
     assert made["mesh"]["vertices"] == 0
     assert made["mesh"]["low"] == made["mesh"]["high"] == [0.0, 0.0, 0.0]
     assert made["marked"] == []
+
+
+def test_numbers_of_numpy_are_written() -> None:
+    """Arithmetic leaves them behind where nobody looks."""
+    given = picture("wall", wrong_pixel=(1, 1))
+    assert given.drawing is not None
+    drawn = replace(given.drawing, flip=cast("float", np.float32(0.25)))
+    views = Views((replace(given, drawing=drawn),), ())
+    assert to_text(views) == to_text(Views((given,), ()))
 
 
 def test_the_text_is_strict_json_and_the_same_twice() -> None:

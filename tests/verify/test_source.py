@@ -1,5 +1,7 @@
 """Recursion in call graphs that are written by hand."""
 
+from collections.abc import Iterator
+from dataclasses import replace
 from itertools import pairwise
 
 import pytest
@@ -197,6 +199,31 @@ def test_an_object_that_holds_itself_is_its_own_target() -> None:
     taken = ((FILL_TOO, TARGET), ("_Z3twov", OTHER))
     assert construct_loops.decide(taking_case(calls, taken, (FILL,))).wrong == 1
     assert construct_loops.decide(taking_case(calls, taken)).wrong == 0
+
+
+class Counted(tuple[Call, ...]):
+    """Calls that know how often somebody went through all of them."""
+
+    passes = 0
+
+    def __iter__(self) -> Iterator[Call]:
+        """Begin once more."""
+        self.passes += 1
+        return super().__iter__()
+
+
+def test_many_objects_that_hold_themselves_are_walked_once() -> None:
+    """Inline assembly can write 190,000 of them: all calls are not read for each."""
+    passes = []
+    for fills in ((FILL,), (FILL, *(f"{FILL}{k}" for k in range(50)))):
+        calls = (*RECURSIVE, (OTHER, SORT), *((name, FILL_TOO) for name in fills))
+        taken = ((FILL_TOO, TARGET), ("_Z3twov", OTHER))
+        graph = taking_case(calls, taken, fills).graph
+        counted = Counted(graph.calls)
+        counting = SourceCase("source", replace(graph, calls=counted))
+        assert construct_loops.decide(counting).wrong == 1
+        passes.append(counted.passes)
+    assert passes[0] == passes[1]
 
 
 def test_tasks_in_a_queue_are_a_loop() -> None:

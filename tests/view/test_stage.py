@@ -5,10 +5,11 @@ import pytest
 
 from grader.model.mesh import Mesh
 from grader.run.session import Engine
+from grader.view import stage as stage_module
 from grader.view import traced as traced_module
-from grader.view.levels import levels_of
+from grader.view.levels import levels_of, rays_needed
 from grader.view.shades import differing, is_hit
-from grader.view.stage import State
+from grader.view.stage import MOST_PIXELS, MOST_RAYS, State, fitting
 from tests.verify.builder import build
 from tests.view import sources
 from tests.view.conftest import Compiled, Staged
@@ -50,6 +51,31 @@ def test_every_pixel_is_painted(right: Engine, staged: Staged, size: tuple[int, 
     assert stage.traced.t.shape == (size[1], size[0])
     assert stage.traced.fine.all()
     assert levels_of(*size)[-1].rows == size[1]
+
+
+@pytest.mark.parametrize(
+    "size", [(2160, 3840), (1100, 1100), (30_000, 40), (1024, 1024), (9, 3)]
+)
+def test_a_size_is_shrunk_to_what_there_is_room_for(size: tuple[int, int]) -> None:
+    """All levels fit, the shape stays, and what fits is left alone."""
+    width, height = fitting(*size)
+    assert rays_needed(width, height) <= MOST_RAYS
+    assert abs(width / height / (size[0] / size[1]) - 1) < 0.03
+    assert ((width, height) == size) == (size[0] * size[1] <= MOST_PIXELS)
+
+
+def test_a_picture_that_is_too_large_is_traced_in_fewer_pixels(
+    right: Engine, staged: Staged, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Its rays never leave the memory that was set aside for them."""
+    monkeypatch.setattr(stage_module, "MOST_PIXELS", 256)
+    monkeypatch.setattr(stage_module, "MOST_RAYS", 288)
+    subject = confetti()
+    stage = staged(subject, right)
+    stage.show(subject.home, 64, 16)
+    finished(stage)
+    assert stage.traced.t.shape == (8, 32)
+    assert stage.traced.fine.all()
 
 
 def test_another_view_takes_the_place_of_the_first(right: Engine, staged: Staged) -> None:

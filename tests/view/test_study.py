@@ -24,13 +24,14 @@ from grader.options import Options
 from grader.oracle.balanced import balanced_tree
 from grader.oracle.brute import answers
 from grader.view.desk import Desk
+from grader.view.panes import pixel_at
 from grader.view.screenshot import wait
 from grader.view.study import Study
 from grader.view.subject import Subject, of_file, of_trial
 from grader.view.walking import expected_of
 from tests.verify.builder import build, soup
 from tests.view import sources
-from tests.view.shown import until
+from tests.view.shown import confetti, until
 
 OPTIONS = Options(41, None, (), silent, isolated=False)
 MESH, OTHER = soup(30), soup(12, seed=5)
@@ -112,6 +113,17 @@ def test_every_kind_opens_from_its_file(trial: Trial, file: Path, tmp_path: Path
             assert study.facts.node == 0
             assert study.facts.faults
         study.close()
+
+
+def test_a_pane_may_have_more_pixels_than_are_traced(file: Path) -> None:
+    """The desk has fewer, and the mouse is over one of them; smaller ones have their own."""
+    with Desk(file, OPTIONS, confetti) as desk:
+        desk.resize(4000, 2000)
+        assert desk.size == (1448, 724)
+        assert pixel_at((3000.0, 1994.5), (4000, 2000), desk.size) == (1086, 722)
+        assert pixel_at((3000.0, 1994.5), (4000, 2000), (4000, 2000)) == (3000, 1994)
+        desk.resize(24, 20)
+        assert desk.size == (24, 20)
 
 
 def test_the_first_wrong_ray_is_followed(file: Path, tmp_path: Path) -> None:

@@ -8,11 +8,9 @@ from grader.errors import OutputFault
 from grader.language import Words
 from grader.plain import one_line
 from grader.report.colours import HEAT, MAGMA
+from grader.report.views import MOST_PACKED
 
 Json = Mapping[str, Any]
-
-LARGEST = 900_000
-"""Characters of packed data that a page takes; a browser gets slow, and mail refuses it."""
 
 _BASE64 = re.compile(r"[A-Za-z0-9+/]*={0,2}")
 
@@ -119,8 +117,9 @@ def models(views: Json, words: Words, told: Words = str) -> list[dict[str, objec
     made = [_model(one, words, told) for one in views["models"]]
     total = sum(len(text) for one in views["models"] for text in _data(one))
     total += sum(len(text) for one in views["pictures"] for text in one["images"].values())
-    if total > LARGEST:
-        raise OutputFault(f"views.json packs {total:,} characters; a page takes {LARGEST:,}.")
+    if total > MOST_PACKED:
+        message = f"views.json packs {total:,} characters; a page takes {MOST_PACKED:,}."
+        raise OutputFault(message)
     return made
 
 

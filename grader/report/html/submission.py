@@ -6,6 +6,7 @@ from typing import Any
 from grader.language import Words, translator
 from grader.phrases import teller
 from grader.report.facts import FILE, FUNCTIONS, NOT_STARTED
+from grader.report.hosts.told import withheld
 from grader.report.html.findings import failures, idle_parts, points, spoken
 from grader.report.html.page import SIGNS, page
 from grader.report.html.seen import legends, models, pictures
@@ -82,6 +83,9 @@ def _part(one: Json, words: Words) -> dict[str, object]:
 def summary(result: Json, words: Words) -> str:
     """Say in one sentence how it ended."""
     if not result["build"]["ok"]:
+        if result["score"] is None:
+            # We failed before there was anything to look at: nobody knows whether it compiles.
+            return withheld(words)
         refused = result["submission"]["path"] is None
         return (
             words("There is no file to grade")

@@ -12,6 +12,7 @@ from typing import Any
 import pytest
 
 from grader.errors import OutputFault
+from grader.model.stages import Rejected, Submission
 from grader.report.as_json import to_json
 from grader.report.hints import cause_in
 from grader.report.html.findings import failures, idle_parts, worst_first
@@ -63,6 +64,16 @@ def test_a_withheld_score_is_no_number() -> None:
     assert "score withheld" in told
     assert "nothing is concluded about the submission" in told
     assert "Embree and the rule of closest hits disagree on ray 3" in told
+
+
+@pytest.mark.parametrize("given", [samples.SUBMISSION, Rejected("s0428", "no folder")])
+def test_what_we_failed_to_grade_is_not_said_to_be_wrong(given: Submission | Rejected) -> None:
+    """As where a clerk died: whether it compiles, nobody knows."""
+    grade = replace(samples.broken(), build=None, submission=given)
+    told = Reader(to_html(to_json(grade), None, "en")).text
+    assert "The score is withheld: the grader itself failed" in told
+    assert "does not compile" not in told
+    assert "There is no file" not in told
 
 
 def test_full_marks_leave_nothing_to_fix() -> None:
