@@ -120,6 +120,17 @@ def test_a_flood_of_errors_is_cut(compiled: Compile) -> None:
 
 
 @pytest.mark.parametrize("compiler", COMPILERS)
+def test_a_hook_may_be_null_when_it_is_compiled(compiled: Compile, compiler: str) -> None:
+    """With the sanitizer's checks of null, g++ takes this comparison for no constant."""
+    hook = """struct Splits { static void count() {} };
+template <void (*Hook)()> void visit() { if constexpr (Hook != nullptr) Hook(); }
+void BVH::construct(const Mesh&) { visit<Splits::count>(); visit<nullptr>(); nodes.clear(); }
+"""
+    build = compiled(BEGIN + hook + INTERSECT, compiler)
+    assert build.sanitized, build.diagnostics
+
+
+@pytest.mark.parametrize("compiler", COMPILERS)
 def test_libraries_of_every_compiler_run(compiled: Compile, compiler: str) -> None:
     """The graded and the sanitized library load, construct, and show a mistake."""
     wrong = """void BVH::construct(const Mesh& mesh) {
