@@ -28,13 +28,26 @@ from grader.errors import BuildFault, MissingTool
 from grader.sandbox.launch import Order, launch
 from grader.tolerances import SMALL_MAX_DEPTH
 
-LAYOUT = 7
+LAYOUT = 8
 """Changes when this file builds something else from the same stub."""
 
 FRAMEWORK_SECONDS = 300.0
 PLACEHOLDER = "src/exercise03.cpp"
 STANDARD_HEADERS = "standard.h"
 GRAPH_HEADERS = "standard-graph.h"
+INTRINSICS = "intrinsics"
+INTRINSIC_HEADERS = ("xmm", "emm", "tmm", "smm", "wmm", "amm", "imm", "x86")
+"""Names, as in `immintrin.h`, of the headers that a file may include."""
+
+UNOPTIMISED = """\
+#pragma GCC system_header
+#pragma push_macro("__OPTIMIZE__")
+#undef __OPTIMIZE__
+#include_next <{}intrin.h>
+#pragma pop_macro("__OPTIMIZE__")
+"""
+"""Stands before g++'s own header, which has to see what is true: where nothing is inlined, an
+intrinsic with an immediate operand is a macro, or it does not compile."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,6 +105,7 @@ def workspace(compiler: Compiler, flavour: Flavour) -> Workspace:
         if not stamp.exists() or stamp.read_text() != str(folder):
             shutil.rmtree(folder, ignore_errors=True)
             _compile_framework(stub, folder, compiler, flavour)
+            _write_intrinsics(folder / INTRINSICS)
             _precompile(folder, compiler, flavour)
             _let_all_read(folder)
             stamp.write_text(str(folder))
@@ -142,6 +156,12 @@ def _program(name: str) -> str:
     if path is None:
         raise MissingTool(f"{name} is not installed; install the Debian package {name}")
     return path
+
+
+def _write_intrinsics(folder: Path) -> None:
+    folder.mkdir()
+    for name in INTRINSIC_HEADERS:
+        (folder / f"{name}intrin.h").write_text(UNOPTIMISED.format(name))
 
 
 def _precompile(folder: Path, compiler: Compiler, flavour: Flavour) -> None:
@@ -198,7 +218,7 @@ def _read_commands(folder: Path) -> Workspace:
     plain = [word for word in words if word not in ("-c", "-o", object_name, source)]
     graph = [word for word in plain if not word.startswith("-O")] + ["-O0", "-g1", "-w"]
     # So that a file cannot show the reader of calls another code than it runs.
-    graph += ["-D__OPTIMIZE__=1", "-U__NO_INLINE__"]
+    graph += ["-D__OPTIMIZE__=1", "-U__NO_INLINE__", "-isystem", str(folder / INTRINSICS)]
     link = shlex.split((build / "CMakeFiles/exercise03.dir/link.txt").read_text())
     library = link[link.index("-o") + 1]
     objects = [

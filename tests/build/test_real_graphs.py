@@ -74,6 +74,16 @@ LOOPS = {
         """ + OPEN + "ö(nodes[0]); }",
     "a comparator by pointer": """static bool less(uint32_t a, uint32_t b) { return a < b; }
         """ + OPEN + "std::sort(faceIndices.begin(), faceIndices.end(), less); }",
+    "intrinsics with immediate operands": """#include <immintrin.h>
+        #ifdef __x86_64__
+        static uint32_t first(const float* a, const uint32_t* b) {
+            _mm_prefetch(reinterpret_cast<const char*>(b), _MM_HINT_T0);
+            const __m128 x = _mm_set1_ps(*a);
+            return uint32_t(_mm_cvtss_f32(_mm_shuffle_ps(x, x, _MM_SHUFFLE(3, 0, 2, 1)))); }
+        #else
+        static uint32_t first(const float* a, const uint32_t*) { return uint32_t(*a); }
+        #endif
+        """ + OPEN + "nodes[0].facesEnd = first(&nodes[0].bounds.min.x, &faceIndices[0]); }",
     "a queue, a stack and output": OPEN + """std::queue<Node> q; q.push(nodes[0]);
         std::stack<uint32_t> s; s.push(1); std::cout << s.top() << q.size() << std::endl; }""",
 }  # fmt: skip
