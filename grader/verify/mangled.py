@@ -6,12 +6,25 @@ STANDARD = re.compile(r"_ZN?K?(St|Sa|Ss|9__gnu_cxx)|_Zn|_Zd")
 """Functions of the standard library, and the operators new and delete."""
 
 TREE_TYPES = re.compile(
-    r"(?<!\d)3BVH4Node|NS\w?_4Node|_ZN?K?3BVH14getFaceIndices|_ZN4AABB6extend"
+    r"(?<!\d)3BVH(4Node|.*NS\w?_4Node)|_ZN?K?3BVH14getFaceIndices|_ZN4AABB6extend"
 )
 """Mangled names that speak of nodes, or make boxes grow: whoever calls these builds the tree.
 
-A sorting helper only touches faces and centres. It may keep a face's box beside the face.
+A sorting helper only touches faces and centres. It may keep a face's box beside the face, and
+read the node whose faces it sorts.
 """
+
+READ_NODES = re.compile(
+    r"[RPOI]K(St6vectorI)?N(3BVH|S\w?_)4NodeE(St6vectorIS\w_)?(SaIS\w_EE)?"
+    r"|^_ZNKSt6vectorIN3BVH4NodeESaIS\w_EE"
+)
+"""Nodes that are only read: they, or the vector that holds them, are constant.
+
+What a constant span, iterator or pointer leads to is not.
+"""
+
+BACK = re.compile(r"[RPOI]S[0-9A-Z]*_")
+"""A reference, a pointer or a container of something that a name spelled out before."""
 
 TOKEN = re.compile(r"S[0-9A-Z]*_|T\d*_|L[a-z]n?\d+E|(?P<length>\d+)|.")
 """Pieces of a mangled name; an identifier is its length and that many letters.
@@ -31,15 +44,22 @@ LIFETIME = re.compile(r"[CD][0-5]|aS[EI](?!_)")
 
 
 def speaks_of_nodes(name: str) -> bool:
-    """Whether a function has to do with nodes or makes boxes grow, and does not only sort.
+    """Whether a function may change nodes or makes boxes grow, and does not only sort.
 
     Where it was written does not count: the comparator inside `split(Node&)`, and a quicksort
     that is made for this comparator, carry the name of `split` in theirs.
     """
-    at = 2
+    at, words = 2, []
     while (token := TOKEN.match(name, at)) and token[0] != "Z":
         at = token.end() + int((token["length"] or "0")[:6])
-    return TREE_TYPES.search(name[:at]) is not None
+        words += [name[token.end() : at]] if token["length"] else []
+    own = name[:at]
+    # `S_` is the first class that is named: the function's own one, if it has one.
+    if words[: 1 if own.startswith("_ZN") else 2][-1:] != ["BVH"]:
+        own = own.replace("NS_4Node", "")
+    rest = READ_NODES.sub("", own)
+    # `f(const Node&, Node&)` spells nodes out only once.
+    return TREE_TYPES.search(own if BACK.search(rest) else rest) is not None
 
 
 def is_lifetime(name: str) -> bool:

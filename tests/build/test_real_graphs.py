@@ -29,6 +29,29 @@ RECURSIVE = {
         nodes.push_back({}); if (i) split(i - 1); }; split(3); }""",
     "a generic lambda": OPEN + """auto split = [&](auto& self, uint32_t i) -> void {
         nodes.push_back({}); if (i) self(self, i - 1); }; split(split, 3); }""",
+    "a function of a constant node that writes by index": """
+        static void grow(const BVH::Node& n, std::vector<BVH::Node>& all, uint32_t i) {
+            all[i].facesEnd = n.facesEnd / 2; if (i) grow(all[i], all, i - 1); }
+        """ + OPEN + "grow(nodes[0], nodes, 3); }",
+    "a function of a constant node that writes through a pointer": """
+        struct State { std::vector<BVH::Node>& nodes; };
+        static void grow(const BVH::Node& n, State& s, uint32_t i) {
+            s.nodes.data()[i].facesEnd = n.facesEnd / 2; if (i) grow(n, s, i - 1); }
+        """ + OPEN + "State s{nodes}; grow(nodes[0], s, 3); }",
+    "a function of a constant node that writes through a span": """
+        struct State { std::span<BVH::Node> nodes; };
+        static void grow(const BVH::Node& n, const State& s, uint32_t i) {
+            s.nodes[i].facesEnd = n.facesEnd / 2; if (i) grow(n, s, i - 1); }
+        """ + OPEN + "State s{nodes}; grow(nodes[0], s, 3); }",
+    "a function of a constant node that writes through a kept iterator": """
+        struct State { std::vector<BVH::Node>::iterator next; };
+        static void grow(const BVH::Node& n, const State& s, uint32_t i) {
+            s.next->facesEnd = n.facesEnd / 2; if (i) grow(*s.next, {s.next + 1}, i - 1); }
+        """ + OPEN + "grow(nodes[0], {nodes.begin()}, 3); }",
+    "a function of a constant node that makes boxes grow": """static BVH::Node* all;
+        static void grow(const BVH::Node& n, const Mesh& mesh, uint32_t i) {
+            all[i].bounds.extend(n.bounds.min); if (i) grow(all[i], mesh, i - 1); }
+        """ + OPEN + "all = nodes.data(); grow(nodes[0], mesh, 3); }",
     "a function named ä": """static void ä(std::vector<BVH::Node>& n, int d) {
         n.push_back({}); if (d) ä(n, d - 1); }
         """ + OPEN + "ä(nodes, 3); }",
@@ -74,6 +97,24 @@ LOOPS = {
         """ + OPEN + "ö(nodes[0]); }",
     "a comparator by pointer": """static bool less(uint32_t a, uint32_t b) { return a < b; }
         """ + OPEN + "std::sort(faceIndices.begin(), faceIndices.end(), less); }",
+    "a recursive quickselect for a node": """
+        static void select(const BVH::Node& n, uint32_t* a, uint32_t* b) {
+            if (b - a < 2) return;
+            const size_t axis = n.bounds.extents().maxDimension();
+            uint32_t* m = std::partition(a, b, [&](uint32_t f) { return f < axis; });
+            select(n, a, m); select(n, m + (m == a), b); }
+        """ + OPEN + "select(nodes[0], &faceIndices[0], &faceIndices[0] + 9); }",
+    "a recursive count of nodes that are there": """
+        static size_t leaves(const std::vector<BVH::Node>& nodes, size_t i) {
+            if (nodes.empty() || i >= nodes.size() || nodes.at(i).facesEnd == 0) return 0;
+            const size_t below = leaves(nodes, 2 * i + 1) + leaves(nodes, 2 * i + 2);
+            return below ? below : nodes[i].facesEnd > 0; }
+        """ + OPEN + "faceIndices.resize(leaves(nodes, 0)); }",
+    "a merge sort of a list with nodes of its own": """struct List {
+            struct Node { uint32_t face; Node* next; };
+            static Node* sort(Node* n, size_t count) {
+                return count < 2 ? n : sort(sort(n, count / 2), count - count / 2); } };
+        """ + OPEN + "List::Node n{}; faceIndices[0] = List::sort(&n, 9)->face; }",
     "intrinsics with immediate operands": """#include <immintrin.h>
         #ifdef __x86_64__
         static uint32_t first(const float* a, const uint32_t* b) {
