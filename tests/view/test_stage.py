@@ -59,7 +59,7 @@ def test_every_pixel_is_painted(right: Engine, staged: Staged, size: tuple[int, 
 def test_a_size_is_shrunk_to_what_there_is_room_for(size: tuple[int, int]) -> None:
     """All levels fit, the shape stays, and what fits is left alone."""
     width, height = fitting(*size)
-    assert rays_needed(width, height) <= MOST_RAYS
+    assert levels_of(width, height)[-1].past <= MOST_RAYS
     assert abs(width / height / (size[0] / size[1]) - 1) < 0.03
     assert ((width, height) == size) == (size[0] * size[1] <= MOST_PIXELS)
 
