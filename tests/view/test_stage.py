@@ -7,7 +7,7 @@ from grader.model.mesh import Mesh
 from grader.run.session import Engine
 from grader.view import stage as stage_module
 from grader.view import traced as traced_module
-from grader.view.levels import levels_of, rays_needed
+from grader.view.levels import levels_of
 from grader.view.shades import differing, is_hit
 from grader.view.stage import MOST_PIXELS, MOST_RAYS, State, fitting
 from tests.verify.builder import build
