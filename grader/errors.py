@@ -44,3 +44,18 @@ class OutputFault(GraderError):
 
 class Interrupted(GraderError):
     """The grader was asked to stop while it worked; nothing is concluded."""
+
+
+STRICT = False
+"""Tests turn it on, so that no guard hides a fault of ours from them."""
+
+
+def let_go(fault: Exception) -> None:
+    """Let a fault of ours cost what nothing hangs on: a hint, an example, a picture.
+
+    Raises:
+        Interrupted: That is no fault.
+        Exception: The fault itself, in tests.
+    """
+    if STRICT or isinstance(fault, Interrupted):
+        raise fault

@@ -5,14 +5,16 @@ files as one that was just made.
 """
 
 import json
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 
-from grader.errors import OutputFault
+from grader.errors import OutputFault, let_go
 from grader.model.grade import Grade
 from grader.output import PAGE, RESULT, VIEWS, ready, write_whole
 from grader.report.as_json import Json, to_text
-from grader.report.facts import FOLDER, counterexample_file
+from grader.report.facts import FOLDER, counterexample_file, remarked
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,14 +33,38 @@ def kept(grade: Grade) -> Result:
     from grader.counterexample.written import to_text as counterexample
     from grader.report.views import to_text as views_text
 
-    files = tuple(
-        (counterexample_file(score.check), counterexample(score.counterexample))
-        for score in grade.checks
-        if score.counterexample is not None
-    )
+    files: dict[str, str] = {}
+    for score in grade.checks:
+        if score.counterexample is not None:
+            name = counterexample_file(score.check)
+            grade = _attached(grade, files, name, partial(counterexample, score.counterexample))
+            if name not in files:
+                grade = _without_example(grade, score.check)
     if grade.views is not None:
-        files = (*files, (VIEWS, views_text(grade.views)))
-    return Result(to_text(grade), files)
+        grade = _attached(grade, files, VIEWS, partial(views_text, grade.views))
+    return Result(to_text(grade), tuple(files.items()))
+
+
+def _attached(
+    grade: Grade, files: dict[str, str], name: str, write: Callable[[], str]
+) -> Grade:
+    """Add a file to those of a grade; our own fault costs that file, and a remark says so."""
+    try:
+        files[name] = write()
+    except Exception as fault:  # noqa: BLE001 - all is decided: it costs the attachment
+        let_go(fault)
+        kind = type(fault).__name__
+        told = f"{name} is missing, which is our own fault ({kind}) and costs no point"
+        return remarked(grade, told)
+    return grade
+
+
+def _without_example(grade: Grade, check: str) -> Grade:
+    """Take back a counterexample, whose file a result would name."""
+    checks = (
+        replace(one, counterexample=None) if one.check == check else one for one in grade.checks
+    )
+    return replace(grade, checks=tuple(checks))
 
 
 def write_result(folder: Path, result: Result, language: str) -> Path:

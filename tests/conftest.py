@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import pytest
 from hypothesis import settings
 
+from grader import errors
 from tests.browser import SOFTWARE, chromium
 
 if TYPE_CHECKING:
@@ -29,6 +30,7 @@ def pytest_configure() -> None:
     """Make the cache of this run, outside of pytest's folders, which no box can enter."""
     # A shell that runs us in the background has it ignored, and so would all our children.
     signal.signal(signal.SIGINT, signal.default_int_handler)
+    errors.STRICT = True
     if SHARED not in os.environ:
         os.environ[SHARED] = tempfile.mkdtemp(prefix="bvhgrade-tests-")
 
@@ -46,6 +48,12 @@ def cache() -> Generator[Path]:
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("BVHGRADE_CACHE", str(shared))
         yield shared
+
+
+@pytest.fixture
+def forgiving(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let guards swallow faults of ours, as they do for everybody else."""
+    monkeypatch.setattr(errors, "STRICT", False)
 
 
 @pytest.fixture(scope="session")

@@ -34,6 +34,41 @@ def test_everything_is_written(tmp_path: Path) -> None:
     assert json.loads((tmp_path / "views.json").read_text())["schema"] == 1
 
 
+def breaks(_: object) -> str:
+    """Fail for our own reason.
+
+    Raises:
+        TypeError: Always.
+    """
+    raise TypeError("float32 is not JSON serializable")
+
+
+@pytest.mark.parametrize(
+    ("writer", "lost"),
+    [
+        ("grader.counterexample.written.to_text", "counterexamples/"),
+        ("grader.report.views.to_text", "views.json"),
+    ],
+)
+@pytest.mark.usefixtures("forgiving")
+def test_an_attachment_that_cannot_be_written_costs_itself(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, writer: str, lost: str
+) -> None:
+    """The result names no file that is not there, and a remark says why."""
+    whole = dict(failing().attachments)
+    monkeypatch.setattr(writer, breaks)
+    result = failing()
+    write_result(tmp_path, result, "en")
+    left = {name: text for name, text in whole.items() if not name.startswith(lost)}
+    assert dict(result.attachments) == left != whole
+    told = json.loads(result.text)
+    files = [one["counterexample"]["file"] for one in told["checks"] if one["counterexample"]]
+    assert all((tmp_path / name).exists() for name in files)
+    remark = told["build"]["diagnostics"][-1]["text"]
+    assert remark.startswith(lost)
+    assert "is missing, which is our own fault (TypeError)" in remark
+
+
 def test_what_belongs_to_an_earlier_result_is_removed(tmp_path: Path) -> None:
     """And nothing else: whoever copied a counterexample keeps the copy."""
     write_result(tmp_path, failing(), "en")

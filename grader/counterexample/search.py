@@ -12,8 +12,8 @@ from dataclasses import dataclass, replace
 
 from grader.counterexample.describe import described
 from grader.counterexample.narrow import Narrowing
-from grader.counterexample.probe import Effort, Probe, decided, sizes, steady
-from grader.errors import Interrupted
+from grader.counterexample.probe import Effort, Probe, TooLate, decided, sizes, steady
+from grader.errors import let_go
 from grader.model.counterexample import Counterexample
 from grader.model.grade import CheckScore, Grade
 from grader.model.trials import ImageTrial, Trial
@@ -78,9 +78,10 @@ def _is_told(trial: Trial) -> bool:
 def _found(score: CheckScore, search: Search) -> Counterexample | None:
     try:
         return counterexample(score, search)
-    except Interrupted:
-        raise
-    except Exception:  # noqa: BLE001 - nothing is decided here: our own fault costs an example
+    except TooLate:
+        return None
+    except Exception as fault:  # noqa: BLE001 - nothing is decided here: it costs an example
+        let_go(fault)
         return None
 
 

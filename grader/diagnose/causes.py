@@ -14,6 +14,7 @@ from grader.diagnose import every_hypothesis
 from grader.diagnose.hypothesis import NOTHING, Hypothesis, Support
 from grader.diagnose.notes import Notes
 from grader.diagnose.patterns import explained, likeness
+from grader.errors import let_go
 from grader.model.grade import Cause
 
 SURE = 0.95
@@ -69,5 +70,6 @@ def _tried(each: Hypothesis, case: Any) -> Support:  # noqa: ANN401 - of the hyp
         # A stranger's numbers may be anything, and what follows from them is only compared.
         with np.errstate(all="ignore"):
             return each.decide(case)
-    except Exception:  # noqa: BLE001 - only a hint is lost, and never a grade
+    except Exception as fault:  # noqa: BLE001 - only a hint is lost, and never a grade
+        let_go(fault)
         return NOTHING

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from grader.errors import Interrupted
+from grader.errors import let_go
 from grader.gallery.hung import Exhibit, hung
 from grader.gallery.models import models
 from grader.gallery.pictures import pictures
@@ -16,6 +16,7 @@ from grader.model.counterexample import NodeTable
 from grader.model.grade import Grade
 from grader.model.trials import ImageTrial, Trial
 from grader.model.views import Views
+from grader.report.facts import remarked
 from grader.run.session import Allowance, Engine
 
 PATH_SECONDS = 2.0
@@ -58,17 +59,14 @@ class Gallery:
             seconds: Wall time that is left of the whole grade.
         """
         if seconds < LEAST_SECONDS:
-            return _remarked(
-                grade, "nothing was drawn: the time of the whole grade was used up"
-            )
+            return remarked(grade, "nothing was drawn: the time of the whole grade was used up")
         try:
             return replace(grade, views=self._views(grade, trials, seconds - LEAST_SECONDS))
-        except Interrupted:
-            raise
         except Exception as fault:  # noqa: BLE001 - nothing is decided here: it costs the pictures
+            let_go(fault)
             name = type(fault).__name__
             told = f"nothing could be drawn, which is our own fault ({name}) and costs no point"
-            return _remarked(grade, told)
+            return remarked(grade, told)
 
     def _views(self, grade: Grade, trials: Sequence[Trial], seconds: float) -> Views:
         # What a rubric hides is in no report, whoever reads it.
@@ -93,10 +91,3 @@ def _tables(grade: Grade) -> Iterator[tuple[str, NodeTable]]:
         found = score.counterexample
         if found is not None and found.table is not None:
             yield score.check, found.table
-
-
-def _remarked(grade: Grade, remark: str) -> Grade:
-    """Say why there are no pictures."""
-    if grade.build is None:
-        return grade
-    return replace(grade, build=replace(grade.build, remarks=(*grade.build.remarks, remark)))

@@ -87,7 +87,11 @@ def for_json(value: Any) -> str:  # noqa: ANN401 - any JSON value
     for limit in SHORTER:
         try:
             text = json.dumps(
-                _shown(value, limit), indent=1, ensure_ascii=False, allow_nan=False
+                _shown(value, limit),
+                indent=1,
+                ensure_ascii=False,
+                allow_nan=False,
+                default=plain_number,
             )
         except ValueError as fault:
             raise OutputFault(f"A result holds what JSON cannot carry: {fault}.") from fault
@@ -95,6 +99,20 @@ def for_json(value: Any) -> str:  # noqa: ANN401 - any JSON value
         if len(text.encode()) <= LARGEST_JSON:
             return text
     raise OutputFault(f"A result is larger than {LARGEST_JSON:,} bytes, however it is cut.")
+
+
+def plain_number(value: Any) -> Any:  # noqa: ANN401 - any JSON value
+    """Turn what JSON does not know into what it knows: a number or truth of numpy's.
+
+    Arithmetic leaves them behind where nobody looks; they mean what Python's do.
+
+    Raises:
+        TypeError: It is something else.
+    """
+    if getattr(value, "ndim", None) == 0:
+        return value.item()
+    message = f"JSON has no {type(value).__name__}"
+    raise TypeError(message)
 
 
 def for_script(value: Any) -> str:  # noqa: ANN401 - any JSON value

@@ -1,7 +1,7 @@
 """What does every format say about a grade? Decided once: what is withheld, where to look."""
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from grader.model.grade import CheckScore, Grade, PartScore
@@ -45,6 +45,13 @@ def withheld(grade: Grade) -> frozenset[str]:
     for _ in blocked:
         names |= {score.check for score in blocked if score.blocked_by in names}
     return frozenset(names)
+
+
+def remarked(grade: Grade, remark: str) -> Grade:
+    """Say what is worth knowing of a grade and costs nothing."""
+    if grade.build is None:
+        return grade
+    return replace(grade, build=replace(grade.build, remarks=(*grade.build.remarks, remark)))
 
 
 def not_started(part: PartScore) -> str:

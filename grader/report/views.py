@@ -19,6 +19,7 @@ from grader.model.counterexample import NodeTable
 from grader.model.mesh import Bytes, Floats, Integers
 from grader.model.views import Drawing, Model, Picture, ShownRay, Views
 from grader.report.colours import HEAT, MAGMA
+from grader.report.escape import plain_number
 
 Json = dict[str, Any]
 
@@ -44,7 +45,8 @@ as much as all others."""
 
 def to_text(views: Views) -> str:
     """Write views as the text of `views.json`."""
-    return json.dumps(to_json(views), separators=(",", ":"), allow_nan=False) + "\n"
+    values, marks = to_json(views), (",", ":")
+    return json.dumps(values, separators=marks, allow_nan=False, default=plain_number) + "\n"
 
 
 def to_json(views: Views) -> Json:

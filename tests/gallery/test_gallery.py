@@ -123,6 +123,7 @@ def test_where_part_a_is_right_no_node_is_looked_for(reference: Engine) -> None:
     assert not np.isnan(model.low[0]).any()
 
 
+@pytest.mark.usefixtures("forgiving")
 def test_our_own_fault_costs_the_pictures_and_nothing_else(
     reference: Engine, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -5,6 +5,7 @@ import re
 from dataclasses import replace
 
 import jsonschema
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -116,7 +117,15 @@ def test_an_ordinary_result_keeps_its_texts_whole() -> None:
     assert len(readers.json_reader(escape.for_json([text] * 300))[0]) <= escape.SHORTER[1]
 
 
-@pytest.mark.parametrize("value", [float("nan"), ["x" * 300] * 9_000])
+def test_numbers_of_numpy_are_plain_numbers() -> None:
+    """Arithmetic leaves them behind where nobody looks; whole arrays are a mistake of ours."""
+    values = [np.float32(1.5), np.int64(3), np.bool_(True), np.float64(0.1), np.uint8(7)]
+    assert readers.json_reader(escape.for_json(values)) == [1.5, 3, True, 0.1, 7]
+    with pytest.raises(TypeError, match="ndarray"):
+        escape.for_json([np.zeros(1)])
+
+
+@pytest.mark.parametrize("value", [float("nan"), np.float32("nan"), ["x" * 300] * 9_000])
 def test_what_json_cannot_carry_is_our_fault(value: object) -> None:
     """It is raised, never written."""
     with pytest.raises(OutputFault):

@@ -5,6 +5,7 @@ import io
 import json
 import zlib
 from dataclasses import replace
+from typing import cast
 
 import numpy as np
 import pytest
@@ -150,6 +151,15 @@ def test_a_mesh_without_faces_can_be_told() -> None:
     assert made["mesh"]["vertices"] == 0
     assert made["mesh"]["low"] == made["mesh"]["high"] == [0.0, 0.0, 0.0]
     assert made["marked"] == []
+
+
+def test_numbers_of_numpy_are_written() -> None:
+    """Arithmetic leaves them behind where nobody looks."""
+    given = picture("wall", wrong_pixel=(1, 1))
+    assert given.drawing is not None
+    drawn = replace(given.drawing, flip=cast("float", np.float32(0.25)))
+    views = Views((replace(given, drawing=drawn),), ())
+    assert to_text(views) == to_text(Views((given,), ()))
 
 
 def test_the_text_is_strict_json_and_the_same_twice() -> None:
