@@ -66,7 +66,9 @@ def _scalar(text: str) -> str:
         return text[1:-1].replace("''", "'")
     if len(text) >= 2 and text[0] == text[-1] == '"':
         try:
-            return str(json.loads(re.sub(r"\\x([0-9A-Fa-f]{2})", r"\\u00\1", text)))
+            read = str(json.loads(re.sub(r"\\x([0-9A-Fa-f]{2})", r"\\u00\1", text)))
+            # Half of a pair of surrogates is no character, and nothing could store it.
+            return read.encode(errors="replace").decode()
         except ValueError:
             return text[1:-1]
     return "" if text in {"~", "null"} else text

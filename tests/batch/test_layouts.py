@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from grader.batch.gradescope import submitters
 from grader.batch.sources import opened_class
 from grader.errors import UsageError
 from grader.intake.handed_in import handed_in
@@ -131,6 +132,15 @@ def test_gradescope(made: Made, tmp_path: Path) -> None:
         "O'Neil": ("", "neil@uni.example", "b"),
         "submission_103": ("", "", "c"),
     }
+
+
+def test_half_a_character_in_the_notes_of_gradescope_is_replaced() -> None:
+    """No store and no file could take it, and the whole class would end there."""
+    text = METADATA.replace("Zo\\xEB", "Zo\\ud800").replace(
+        "'9002'", '"9\\udc80\\ud83d\\ude00"'
+    )
+    zoe, _ = submitters(text.encode().splitlines())["submission_102"]
+    assert (zoe.name, zoe.id) == ('Zo? "Z" Ng', "9?\U0001f600")
 
 
 def test_github_classroom(made: Made, tmp_path: Path) -> None:
