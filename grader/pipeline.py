@@ -16,7 +16,7 @@ from grader.model.trials import ConstructTrial, Trial
 from grader.options import Options
 from grader.oracle.plan import Plan
 from grader.quick import SLOW_BUILDS, is_quick
-from grader.rounds import Rounds, hopeful, waves
+from grader.rounds import Rounds, budget_of, hopeful, waves
 from grader.run.session import Engine
 from grader.run.trials import Engines, build_of
 from grader.sandbox.box import Isolation
@@ -134,8 +134,10 @@ def _graded(
         trials = tuple(filter(is_quick, trials))
     summary.broken(plan.faults)
     with summary.stage("run and verify"):
-        engines = _engines(build, selection.rubric.limits, isolation_of(options), nursery)
-        run = Rounds(engines, solution, selection.rubric, options, summary.elapsed())
+        limits = selection.rubric.limits
+        engines = _engines(build, limits, isolation_of(options), nursery)
+        budget = budget_of(limits, options, summary.elapsed(), build.own_seconds)
+        run = Rounds(engines, solution, selection.rubric, options, budget)
         first, then = waves(trials)
         summary.examine(run.cases(first))
         summary.examine(run.cases([trial for trial in then if hopeful(trial, summary)]))

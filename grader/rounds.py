@@ -7,18 +7,22 @@ from dataclasses import replace
 from grader.counterexample.search import Search, with_counterexamples
 from grader.gallery.gallery import Gallery
 from grader.model.cases import Case, DepthCase, WorkCase
-from grader.model.grade import Grade, Rubric
+from grader.model.grade import Grade, Limits, Rubric
 from grader.model.stages import Build, Submission
 from grader.model.trials import AlteredTrial, ImageTrial, Trial, WorkTrial
 from grader.options import Options
 from grader.oracle.plan import deeper_trials, depth_trial
-from grader.run.trials import LARGE_MESH, Budget, Engines, part_of, run_trials
+from grader.run.trials import LARGE_MESH, Budget, Engines, at_once, part_of, run_trials
 from grader.solution import Solution
 from grader.summary import Summary
 from grader.verify.structure import deepest_level, ends_at_the_limit
 
 _RESERVE = 0.15
 """Share of the time limit that is kept for judging what the last workers brought."""
+
+USUAL_COMPILING = 15.0
+"""Own seconds of all compilers together that are taken from nobody's time: right files take up
+to 7, on a busy machine more."""
 
 LARGE_PICTURE = 100_000
 """A mesh of more faces is not tried where `intersect` has been seen to test most of them."""
@@ -49,6 +53,22 @@ def hopeful(trial: Trial, summary: Summary) -> bool:
     return not (large and summary.failed("work.excludes-most-triangles"))
 
 
+def budget_of(limits: Limits, options: Options, elapsed: float, compiling: float) -> Budget:
+    """Divide what is left of the time of a grade.
+
+    Args:
+        limits: Of the rubric.
+        options: May ask for less time than they give.
+        elapsed: Wall seconds of the grade so far.
+        compiling: Own seconds of the submission's compilers, all together. Who takes long there
+            has less time to use up, and could never use up enough of the whole.
+    """
+    limit = options.most_seconds(limits)
+    whole = limit - _RESERVE * limit
+    unusual = max(0.0, compiling - USUAL_COMPILING)
+    return Budget(limits, whole - elapsed, whole - unusual / at_once())
+
+
 class Rounds:
     """The workers of one submission, and what only the order of trials can decide."""
 
@@ -58,7 +78,7 @@ class Rounds:
         solution: Solution,
         rubric: Rubric,
         options: Options,
-        elapsed: float,
+        budget: Budget,
     ) -> None:
         """Begin.
 
@@ -67,12 +87,9 @@ class Rounds:
             solution: Ours.
             rubric: What is scored, within which limits.
             options: How to grade.
-            elapsed: Wall seconds of the grade so far.
+            budget: The time that is left.
         """
-        limit = options.most_seconds(rubric.limits)
-        self._engines = engines
-        whole = limit - _RESERVE * limit
-        self._budget = Budget(rubric.limits, whole - elapsed, whole)
+        self._engines, self._budget = engines, budget
         self._solution = solution
         self._rubric = rubric
         self._options = options

@@ -12,7 +12,7 @@ from grader import pipeline
 from grader.build.compile import Compilation, compile_submission
 from grader.certify.corpus import corpus_folder
 from grader.errors import UsageError
-from grader.model.grade import Grade
+from grader.model.grade import Grade, Limits
 from grader.model.stages import Build, Stop, Submission
 from grader.model.verdict import Verdict
 from grader.options import Options
@@ -20,7 +20,8 @@ from grader.oracle.plan import deeper_trials, make_plan
 from grader.pipeline import engines_for, grade_one, grade_with
 from grader.report.as_json import schema_text, to_json
 from grader.resources import reference_source, stub_folder
-from grader.run.trials import Engines
+from grader.rounds import budget_of
+from grader.run.trials import Budget, Engines
 from grader.sandbox.nursery import Nursery
 from grader.sandbox.scratch import scratch_folder
 from grader.sandbox.selftest import proved_isolation
@@ -126,6 +127,23 @@ def test_a_submission_that_takes_all_of_the_time_still_gets_a_grade(tmp_path: Pa
     assert "the time for the whole submission was used up" in said
     assert (grade.score, grade.needs_review) == (0, False)
     jsonschema.validate(to_json(grade), json.loads(schema_text()))
+
+
+def test_what_compiling_took_is_known_where_time_is_blamed(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The submission's own seconds, of every compiler, and not the wall time."""
+    told: list[tuple[float, float]] = []
+
+    def noted(limits: Limits, options: Options, elapsed: float, compiling: float) -> Budget:
+        told.append((elapsed, compiling))
+        return budget_of(limits, options, elapsed, compiling)
+
+    monkeypatch.setattr(pipeline, "budget_of", noted)
+    monkeypatch.setattr("grader.build.compile.recalled", lambda _: None)
+    graded(reference_source(), "bvh.is-readable")
+    ((elapsed, compiling),) = told
+    assert 0.0 < compiling < 2 * elapsed
 
 
 def test_the_reference_is_examined_in_every_planned_case() -> None:

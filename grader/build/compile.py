@@ -3,7 +3,7 @@
 import time
 from collections.abc import Mapping
 from concurrent.futures import Executor, Future, ThreadPoolExecutor
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from tempfile import mkdtemp
 
@@ -28,7 +28,6 @@ from grader.sandbox.target import Target
 PLAIN_MESSAGES = ("-fdiagnostics-color=never", "-fmax-errors=20")
 """More errors teach nothing new, and each unknown name is compared with all known ones."""
 
-_GRAPH = "graph"
 _STACK_BYTES = 64 << 20
 _OPEN_FILES = 256
 
@@ -44,6 +43,9 @@ class Compilation:
     limits: CompileLimits
     further: frozenset[Further] = frozenset(Further)
     """What to make beside the graded library."""
+
+    spent: list[float] = field(default_factory=list)
+    """Takes the own seconds of each compiler that ran for the submission."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,6 +109,7 @@ def compile_submission(submission: Submission, order: Compilation) -> Build:
         flags=_flags(graded),
         seconds=time.monotonic() - started,
         remarks=safe.remarks,
+        own_seconds=sum(work.spent),
     )
 
 
@@ -231,7 +234,7 @@ def _link(framework: Workspace, work: Compilation, name: str) -> _Linked:
 
 def call_graph(framework: Workspace, work: Compilation) -> CallGraph | None:
     """Ask the front end who calls whom; None if that cannot be found out in time."""
-    _, content = _once(framework.listing, framework, work, f"{_GRAPH}.s")
+    _, content = _once(framework.listing, framework, work, "graph.s")
     try:
         return None if content is None else read_assembly(content)
     except Tangled:
@@ -249,6 +252,9 @@ def _once(
     if before is not None:
         return Outcome(0, False, b"", before.messages, 0.0, 0.0), before.content
     outcome, content = _made(command, framework, work, product)
+    # Of a process that is killed with its namespace the kernel forgets the CPU time.
+    waited = outcome.seconds - outcome.delayed_seconds
+    work.spent.append(waited if outcome.timed_out else outcome.cpu_seconds)
     if content is not None:
         keep(name, Product(content, outcome.err))
     return outcome, content

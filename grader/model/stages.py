@@ -101,6 +101,9 @@ class Build:
     remarks: tuple[str, ...] = ()
     """What is worth knowing of the runs of this build, and costs nothing."""
 
+    own_seconds: float = 0.0
+    """What its compilers had of the processors, however long they stood in line for them."""
+
 
 class Stop(Enum):
     """How a worker ended; every value is something that a submission did."""

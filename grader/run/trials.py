@@ -85,12 +85,13 @@ class Budget:
         Args:
             limits: Of each worker.
             seconds: Wall time that is left for all of them together; may be negative.
-            whole: What there was of it when the grade began, if that was more.
+            whole: What there was of it when the grade began, without what the submission used
+                for itself since then, if that is more.
         """
         self._limits = limits
         begun = time.monotonic()
-        # What compiling and planning took is no use of time by a worker: a share of the rest,
-        # which may be nothing, would blame whoever ran at all.
+        # What compiling and planning took on a busy machine is nobody's use of time: a share of
+        # the rest, which may be nothing, would blame whoever ran at all.
         self._enough = {part: OWN_SHARE * max(seconds, whole) / n for part, n in _SHARES}
         # What part a uses up must not be missing in part b.
         self._deadline = {part: begun + seconds / n for part, n in _SHARES}
@@ -140,6 +141,11 @@ class Budget:
         return ending
 
 
+def at_once() -> int:
+    """How many processes of a submission run at the same time."""
+    return min(WORKERS, len(os.sched_getaffinity(0)))
+
+
 def run_trials(
     trials: Sequence[Trial],
     engines: Engines,
@@ -148,7 +154,7 @@ def run_trials(
 ) -> Iterable[tuple[Case, ...]]:
     """Run every trial in a process of its own; yields their cases in the order of `trials`."""
     runnable = [trial for trial in trials if engines.of(trial)]
-    with ThreadPoolExecutor(min(WORKERS, len(os.sched_getaffinity(0)))) as pool:
+    with ThreadPoolExecutor(at_once()) as pool:
         futures = [pool.submit(_run, trial, engines, budget) for trial in runnable]
         try:
             for number, future in enumerate(futures):

@@ -1,5 +1,6 @@
 """Sources that compile, and sources that do not, with every compiler that is installed here."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -231,6 +232,25 @@ def test_a_machine_that_compiles_nothing_is_no_fault_of_the_submission(
     monkeypatch.setattr(compile, "confined", lambda *_: FULL)
     with pytest.raises(BuildFault, match="our own solution either: as: No space left"):
         whole_build(STARTER.read_text() + "// never compiled before\n", tmp_path)
+
+
+@pytest.mark.parametrize(("stands", "own"), [(0.0, 62.5), (20.0, 42.5)])
+def test_what_compilers_computed_is_told_apart_from_standing_in_line(
+    cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, stands: float, own: float
+) -> None:
+    """One takes 2.5 s of a processor, one is ended after a minute; what is kept takes none."""
+    late = Outcome(-9, True, b"", b"", 60.0, 0.0, stands)
+
+    def slow(target: Target, box: Box, entry: Path, isolation: Isolation) -> Outcome:
+        if "-S" in target.arguments:
+            return late
+        return replace(confined(target, box, entry, isolation), cpu_seconds=2.5)
+
+    monkeypatch.setattr(compile, "confined", slow)
+    monkeypatch.setattr(compile, "_blame", lambda *_: None)
+    source = STARTER.read_text() + f"// never timed before, {stands}\n"
+    assert partial_build(source, tmp_path, Further.CALLS).own_seconds == own
+    assert partial_build(source, tmp_path / "again").own_seconds == 0.0
 
 
 @pytest.mark.parametrize("ours", [True, False])

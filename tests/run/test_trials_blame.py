@@ -2,8 +2,12 @@
 
 import pytest
 
+from grader import rounds
+from grader.cli.progress import silent
 from grader.model.stages import Ending, Stop
 from grader.model.trials import ConstructTrial
+from grader.options import Options
+from grader.rounds import budget_of
 from grader.run.session import Allowance
 from grader.run.trials import HURRIED_SECONDS, PATIENCE, Budget
 from grader.score.rubric import load_rubric
@@ -65,6 +69,18 @@ def test_what_compiling_and_planning_took_is_nobodys_fault(left: float) -> None:
     for _ in range(PATIENCE):
         budget.blamed(TRIAL, late(0.1, 0.0), ALLOWED)
     assert not budget.blamed(TRIAL, NOT_BEGUN, None).crowded
+
+
+@pytest.mark.parametrize(("compiling", "crowded"), [(120.0, False), (15.0, True)])
+def test_who_is_compiled_for_long_has_less_to_use_up(
+    compiling: float, crowded: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Of 102 s a minute is gone, by two compilers at work or in line for a processor."""
+    monkeypatch.setattr(rounds, "at_once", lambda: 2)
+    budget = budget_of(LIMITS, Options(41, None, (), silent), 61.0, compiling)
+    assert budget.blamed(TRIAL, NOT_BEGUN, None).crowded
+    budget.blamed(TRIAL, Ending(Stop.FINISHED, "", 10.0, 10.0, ""), ALLOWED)
+    assert budget.blamed(TRIAL, NOT_BEGUN, None).crowded is crowded
 
 
 def test_the_end_of_the_grade_cuts_who_used_it_up() -> None:
