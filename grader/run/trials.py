@@ -134,7 +134,7 @@ class Budget:
             if ending.by_clock and max(own, ending.cpu_seconds) < allowed.cpu_seconds:
                 # The wall limit is a multiple of the CPU limit, so it did not get its time;
                 # or the end of the whole grade came first.
-                cut = allowed.wall_seconds < allowed.cpu_seconds
+                cut = allowed.wall_seconds < allowed.cpu_seconds * self._limits.wall_factor
                 late = cut and self._used[part] >= enough
                 return replace(ending, crowded=not late)
             self._timeouts[part] += 1

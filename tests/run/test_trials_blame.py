@@ -93,6 +93,15 @@ def test_the_end_of_the_grade_cuts_who_used_it_up() -> None:
     assert Budget(LIMITS, 100.0).blamed(TRIAL, late(0.1, 0.0, seconds=1.0), cut).crowded
 
 
+def test_the_end_of_the_grade_may_come_after_the_limit_of_cpu_time() -> None:
+    """Who loops for half of the grade on a busy machine has used it up, and had no 10 s."""
+    cut = Allowance(10.0, 15.0)
+    endless, starved = Budget(LIMITS, 40.0), Budget(LIMITS, 100.0)
+    ending = late(6.0, 6.0, seconds=15.0)
+    assert not endless.blamed(TRIAL, ending, cut).crowded
+    assert starved.blamed(TRIAL, ending, cut).crowded
+
+
 def test_after_many_time_outs_the_others_are_hurried() -> None:
     """But not after those that are nobody's fault."""
     blamed, starved = Budget(LIMITS, 1000.0), Budget(LIMITS, 1000.0)
