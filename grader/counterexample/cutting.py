@@ -71,7 +71,8 @@ def cut_faces(trial: Tracing, subsets: Sequence[Integers], trees: Trees) -> list
 def _moved(trial: Tracing, mesh: Mesh, tree: Bvh) -> Sequence[Tracing]:
     """Ask the same of a smaller mesh, if that makes sense."""
     if isinstance(trial, AlteredTrial):
-        return altered_trials(0, trial.name, mesh, tree)[:1]
+        smaller = altered_trials(0, trial.name, mesh, tree)[:1]
+        return [replace(one, sound=None) for one in smaller]
     if isinstance(trial, WorkTrial):
         boxes, triangles = plain_costs(tree, trial.rays)
         return [replace(trial, mesh=mesh, tree=tree, box_tests=boxes, triangle_tests=triangles)]

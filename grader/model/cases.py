@@ -87,6 +87,8 @@ class AlteredCase:
     name: str
     trial: AlteredTrial
     hits: Hits
+    sound: Hits | None = None
+    """Hits of the same rays on the tree as it was; None if they were not asked for."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -83,6 +83,9 @@ class AlteredTrial(FrozenArrays):
     change: str
     """What was altered, for the student: `9 of 64 leaves hold the faces of others`."""
 
+    sound: Bvh | None = None
+    """The tree as it was, on which the same rays are traced too; None if they are not."""
+
 
 @dataclass(frozen=True, slots=True)
 class WorkTrial:

@@ -14,7 +14,7 @@ whose hit can.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -90,7 +90,8 @@ def altered_trials(seed: int, name: str, mesh: Mesh, tree: Bvh) -> list[AlteredT
         rng = generator(seed, name, how)
         alteration = alter(tree, len(mesh.faces), rng)
         stage = stage_for(mesh, rng, lambda rays: candidates(mesh, rays, tree))
-        made.append(_trial(f"{name} with {how}", stage, alteration, draw))
+        trial = _trial(f"{name} with {how}", stage, alteration, draw)
+        made.append(replace(trial, sound=tree))
     return made
 
 

@@ -14,7 +14,7 @@ from grader.model.cases import (
     TreeCase,
     WorkCase,
 )
-from grader.model.mesh import Hits, Rays
+from grader.model.mesh import Bvh, Hits, Rays
 from grader.model.stages import Ending
 from grader.model.trials import (
     AlteredTrial,
@@ -68,6 +68,8 @@ def request(trial: Trial) -> Request:
             return _rebuild(trial)
         case RepeatTrial():
             return _repeat(trial)
+        case AlteredTrial() if trial.sound is not None:
+            return _altered(trial, trial.sound)
     job = Job()
     read = asked(job, trial)
     return Request((job,), lambda results, ending: read(results[0], ending))
@@ -171,6 +173,19 @@ def _trace(job: Job, trial: TraceTrial | AlteredTrial | ImageTrial) -> ReadOne:
         return (ImageCase(trial.name, trial, found, traced.counts),)
 
     return read
+
+
+def _altered(trial: AlteredTrial, sound: Bvh) -> Request:
+    """The same rays on both trees, each in a process that never sees the other one."""
+    job, beside = Job(), Job()
+    altered = trace(job, on_tree(job, trial.mesh, trial.tree), trial.rays)
+    whole = trace(beside, on_tree(beside, trial.mesh, sound), trial.rays)
+
+    def read(results: Sequence[Result], _: Ending) -> tuple[Case, ...]:
+        found, before = (each(one) for each, one in zip((altered, whole), results, strict=True))
+        return (AlteredCase(trial.name, trial, found.hits[0], before.hits[0]),)
+
+    return Request((job, beside), read)
 
 
 def _work(job: Job, trial: WorkTrial) -> ReadOne:

@@ -121,8 +121,8 @@ class Budget:
             ending: How that ended.
             allowed: What it was given; None if it was not even begun.
         """
-        # Sleeping counts as use; standing in line does not.
-        own = ending.seconds - ending.delayed_seconds
+        # Sleeping counts as use; standing in line does not, but for one's own other threads.
+        own = max(ending.seconds - ending.delayed_seconds, ending.cpu_seconds)
         part = part_of(trial)
         enough = self._enough[part]
         with self._lock:

@@ -3,7 +3,7 @@
 import numpy as np
 
 from grader.model.cases import AlteredCase, WorkCase
-from grader.model.mesh import Mask
+from grader.model.mesh import Integers, Mask
 from grader.model.verdict import Evidence, Example
 from grader.tolerances import SLOWEST, SPECIAL_WASTE, START_SECONDS, WASTE
 from grader.verify.check import check, judged, one, vector
@@ -27,6 +27,8 @@ def uses_the_tree(case: AlteredCase) -> Evidence:
                 got="no hit",
             )
         )
+    if example := _is_untouched(case, lost, control):
+        return one(example)
     still = _finds_what_is_gone(case)[lost]
     return judged(still, lambda k: _example(case, int(lost[k])))
 
@@ -46,6 +48,32 @@ def excludes_most_triangles(case: WorkCase) -> Evidence:
         wrong=case.hits.t.size if examples else 0,
         examples=tuple(examples),
     )
+
+
+def _is_untouched(case: AlteredCase, lost: Integers, control: Integers) -> Example | None:
+    """Word answers that do not come from the tree, whatever else may be wrong with them.
+
+    Through the tree, some hit of what is left stays the same to the bit, and some answer of a
+    ray whose face is gone becomes another one.
+    """
+    if case.sound is None:
+        return None
+    same = (case.hits.t == case.sound.t) & np.isfinite(case.hits.t)
+    if not same[control].any():
+        return Example(
+            f"none of {control.size} rays gets the same t on a tree where {case.trial.change}, "
+            "but the faces that they hit are all still in it",
+            expected="the same t for rays whose faces are left",
+            got="another t for every ray",
+        )
+    if same[lost].all():
+        return Example(
+            f"all of {lost.size} rays get the same t on a tree where {case.trial.change}, but "
+            "the faces that they hit cannot be reached in it",
+            expected="another t for rays whose faces are gone",
+            got="the same t for every ray",
+        )
+    return None
 
 
 def _finds_what_is_gone(case: AlteredCase) -> Mask:

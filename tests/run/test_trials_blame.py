@@ -83,6 +83,15 @@ def test_who_is_compiled_for_long_has_less_to_use_up(
     assert budget.blamed(TRIAL, NOT_BEGUN, None).crowded is crowded
 
 
+def test_standing_in_line_for_own_threads_is_use() -> None:
+    """Sixty threads on one processor: each waits for the others, and all of them compute."""
+    budget = Budget(LIMITS, 102.0)
+    spinning = Ending(Stop.FINISHED, "", 8.0, 8.0, "", delayed_seconds=7.4)
+    for _ in range(6):
+        budget.blamed(TRIAL, spinning, ALLOWED)
+    assert not budget.blamed(TRIAL, NOT_BEGUN, None).crowded
+
+
 def test_the_end_of_the_grade_cuts_who_used_it_up() -> None:
     """A worker that had a second left is judged by what all of them have used."""
     cut = Allowance(10.0, 1.0)

@@ -68,6 +68,36 @@ def test_another_hit_on_a_lost_ray_is_not_the_lost_one() -> None:
     assert uses_the_tree.decide(with_t(case, right)).wrong == 0
 
 
+def with_sound(case: AlteredCase, t: np.ndarray) -> AlteredCase:
+    """Say what the same rays hit on the tree as it was."""
+    return replace(case, sound=replace(case.hits, t=t))
+
+
+def test_another_answer_than_the_true_one_may_come_from_the_tree() -> None:
+    """Who counts t otherwise still changes those of rays whose faces are gone, and no more."""
+    case, right = altered(0)
+    twice = with_sound(with_t(case, 2 * right), 2 * case.hits.t)
+    assert uses_the_tree.decide(twice).wrong == 0
+
+
+def test_the_same_answer_to_everything_proves_nothing() -> None:
+    """Neither one constant, nor a number for each ray that no tree changes."""
+    case, right = altered(0)
+    constant = np.full_like(right, 1e20)
+    each = constant * np.arange(1, right.size + 1, dtype=np.float32)
+    for made_up in (constant, each):
+        evidence = uses_the_tree.decide(with_sound(with_t(case, made_up), made_up))
+        assert (evidence.examined, evidence.wrong) == (1, 1)
+        assert "the same t" in evidence.examples[0].message
+
+
+def test_other_answers_on_another_tree_prove_nothing() -> None:
+    """A number that is made of the tree's bytes changes where nothing is gone, too."""
+    case, right = altered(0)
+    made_up = with_sound(with_t(case, np.full_like(right, 1e20)), np.full_like(right, 2e20))
+    assert "none of" in uses_the_tree.decide(made_up).examples[0].message
+
+
 def work(boxes: float, triangles: float, seconds: float, model: float = 0.1) -> WorkCase:
     """Make a case; a plain traversal takes 60 and 10 tests."""
     mesh, tree = planted("terrain-600")
