@@ -112,7 +112,8 @@ def _made(folder: Path, mode: int) -> Path:
 
 def _cache_path() -> Path:
     if named := os.environ.get("BVHGRADE_CACHE"):
-        return Path(named).absolute()
+        # Without `..`, which cmake writes otherwise than it was given.
+        return Path(named).resolve()
     if is_root():
         return Path("/var/cache/bvhgrade")
     if shared := os.environ.get("XDG_CACHE_HOME"):

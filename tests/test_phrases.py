@@ -25,7 +25,7 @@ TOLD_BY = (
 
 NO_MESSAGE = re.compile(
     r"ERROR|_OPTIONS|detect_leaks|print_stacktrace|Assertion|runtime error|AddressSanitizer"
-    r"|^\{\}\.py$|^t = inf$|facesBegin|^replaced leaves$|^shrunk boxes$"
+    r"|^\{\}\.py$|^t = inf$|facesBegin|^replaced leaves$|^shrunk boxes$|^special rays$"
 )
 """Patterns of what others write, names, and what is the same in both languages."""
 

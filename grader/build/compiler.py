@@ -29,6 +29,9 @@ class Compiler:
         return f"{self.name} {self.version}"
 
 
+_INPUT = re.compile(rb"(?!\x7fELF)[^(]*\bINPUT\s*\(\s*(/[^\s)]+)")
+
+
 def find_compiler() -> Compiler:
     """Take the compiler that CXX names, else g++, else clang++.
 
@@ -90,4 +93,11 @@ def _library(compiler: Compiler, name: str) -> Path | None:
     path = Path(outcome.out.decode(errors="replace").strip())
     # A compiler that does not find the file answers with its bare name.
     found = outcome.code == 0 and path.is_absolute() and path.exists()
-    return path.resolve() if found else None
+    return _meant(path.resolve()) if found else None
+
+
+def _meant(path: Path) -> Path:
+    """Follow a linker script, which Fedora puts where the library should be."""
+    with path.open("rb") as file:
+        script = _INPUT.match(file.read(4096))
+    return Path(script[1].decode()) if script else path

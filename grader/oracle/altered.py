@@ -205,7 +205,7 @@ def _special(stage: Stage, target: Doubles) -> Rays:
 WAYS: tuple[tuple[str, Alter, Draw], ...] = (
     ("replaced leaves", _replaced, _from_outside),
     ("shrunk boxes", _shrunk, _from_outside),
-    ("replaced leaves, special rays", _replaced, _special),
+    ("special rays", _replaced, _special),
 )
 """How a tree is spoiled, and which rays notice."""
 

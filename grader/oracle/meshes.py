@@ -121,7 +121,7 @@ SHAPES: Mapping[str, Callable[[np.random.Generator], Soup]] = {
     "scaled-small": lambda rng: 1e-3 * shapes.terrain(rng, 14, 12),
     "scaled-large": lambda rng: 1e4 * shapes.terrain(rng, 14, 12),
     "scaled-tiny": lambda rng: 1e-12 * shapes.terrain(rng, 14, 12),
-    "scaled-huge": lambda rng: _at((3e12, -3e12, 3e12), 1e12)(shapes.terrain(rng, 14, 12)),
+    "scaled-huge": lambda rng: _at((3e31, -3e31, 3e31), 1e31)(shapes.terrain(rng, 14, 12)),
     "stretched": _stretched,
     "one-point": lambda rng: np.tile(rng.uniform(-1, 1, 3), (9, 3, 1)),
 }

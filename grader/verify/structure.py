@@ -177,13 +177,32 @@ def _stops_at_a_full_level(case: TreeCase) -> bool:
 def depth_is_limited(case: DepthCase) -> Evidence:
     """Splitting goes on down to `maxDepth` and stops there."""
     if ends_at_the_limit(case):
-        return one(None)
+        return one(_unsplit(case))
     depth = shape(case.bvh).depth
     text = (
         f"the deepest node is on level {depth}, but with {len(case.trial.mesh.faces):,} faces "
         f"it must be on level {case.max_depth - 1} or {case.max_depth}"
     )
     return one(Example(text, f"level {case.max_depth}", f"level {depth}"))
+
+
+def _unsplit(case: DepthCase) -> Example | None:
+    """Word a large leaf above the last level; no other check looks at trees of this size."""
+    if case.trial.sanitized:
+        return None
+    form = shape(case.bvh)
+    above = form.leaves[form.leaves < (1 << form.depth) - 1]
+    held = case.bvh.end[above].astype(np.int64) - case.bvh.begin[above]
+    large = np.flatnonzero(held > FACES_PER_LEAF)
+    if not large.size:
+        return None
+    node, faces = int(above[large[0]]), int(held[large[0]])
+    return Example(
+        f"node {node} holds {faces:,} faces and is not split, though others are split down to "
+        f"level {form.depth}",
+        "every large node above the last level is split",
+        f"node {node} with {faces:,} faces is a leaf",
+    )
 
 
 def ends_at_the_limit(case: DepthCase) -> bool:

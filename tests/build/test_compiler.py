@@ -117,3 +117,17 @@ def test_a_missing_sanitizer_is_named_with_its_package(
     compiler = Compiler(str(program(tmp_path, name, says)), name, "12.2.0")
     with pytest.raises(MissingTool, match=f"{package}, or set CXX to another compiler"):
         sanitizer_runtime(compiler)
+
+
+def test_a_linker_script_leads_to_the_library(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Fedora puts a text with the true path where the library should be."""
+    library = tmp_path / "libasan.so.8.0.0"
+    library.write_bytes(b"\x7fELF INPUT ( /nowhere )")
+    script = tmp_path / "libasan.so"
+    script.write_text(f"/* GNU ld script */\nINPUT ( {library} )\n")
+    for answer in (script, library):
+        path = program(tmp_path, "g++", f"{answer}")
+        found = sanitizer_runtime(Compiler(str(path), "g++", "14.2.1"))
+        assert found.split() == [str(library)] * 2

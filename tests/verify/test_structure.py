@@ -267,6 +267,21 @@ def test_other_depths_are_wrong(max_depth: int, levels: int) -> None:
     assert f"level {max_depth - 1} or {max_depth}" in example.message
 
 
+def test_a_large_leaf_above_the_last_level_of_the_large_mesh_is_seen() -> None:
+    """It waited when the first node reached the last level; small meshes have other checks."""
+    tree = full_tree(6)
+    end = tree.end.copy()
+    end[5] = 9
+    for row in ((11, 13), (23, 27), (47, 55), (95, 111)):
+        end[slice(*row)] = 0
+    left = altered(tree, end=end)
+    for sanitized, wrong in ((False, 1), (True, 0)):
+        trial = ConstructTrial("deep", soup(300), sanitized=sanitized)
+        evidence = depth_is_limited.decide(DepthCase("deep", trial, left, 6))
+        assert evidence.wrong == wrong
+    assert not depth_is_limited.decide(DepthCase("deep", trial, tree, 6)).wrong
+
+
 @pytest.mark.parametrize("stop", [each for each in Stop if each is not Stop.FINISHED])
 def test_a_worker_that_does_not_finish_does_not_survive(stop: Stop) -> None:
     """Every other end of a worker fails, with the words for the student."""

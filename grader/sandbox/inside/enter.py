@@ -91,8 +91,9 @@ def limit(spec: Mapping[str, str]) -> None:
     if "room" in spec:
         value = reserved() + int(spec["room"])
         resource.setrlimit(resource.RLIMIT_AS, (value, value))
-    # 1 and not 0: a core_pattern that pipes into a program ignores 0.
-    resource.setrlimit(resource.RLIMIT_CORE, (1, 1))
+    # 1 and not 0: a core_pattern that pipes into a program ignores 0. Who has 0 keeps it.
+    core = 0 if resource.getrlimit(resource.RLIMIT_CORE)[1] == 0 else 1
+    resource.setrlimit(resource.RLIMIT_CORE, (core, core))
     resource.setrlimit(resource.RLIMIT_MEMLOCK, (0, 0))
 
 

@@ -46,6 +46,7 @@ class Ruleset(ctypes.Structure):
 class Beneath(ctypes.Structure):
     """The kernel's struct landlock_path_beneath_attr."""
 
+    _layout_ = "ms"
     _pack_ = 1
     _fields_ = (("allowed", ctypes.c_uint64), ("parent", ctypes.c_int32))
 
