@@ -118,7 +118,13 @@ def _cache_path() -> Path:
         return Path("/var/cache/bvhgrade")
     if shared := os.environ.get("XDG_CACHE_HOME"):
         return Path(shared).absolute() / "bvhgrade"
-    return Path.home() / ".cache" / "bvhgrade"
+    try:
+        return Path.home() / ".cache" / "bvhgrade"
+    except RuntimeError as fault:
+        raise OutputFault(
+            "nobody knows where the cache belongs, because this user has no home; set "
+            "BVHGRADE_CACHE to a folder that can be written"
+        ) from fault
 
 
 def _folder(name: str, package: Path) -> Path:

@@ -6,12 +6,13 @@ from dataclasses import replace
 
 from grader.counterexample.search import Search, with_counterexamples
 from grader.gallery.gallery import Gallery
-from grader.model.cases import Case, DepthCase, WorkCase
+from grader.model.cases import Case, DepthCase, MemoryCase, SurvivalCase, WorkCase
 from grader.model.grade import Grade, Limits, Rubric
-from grader.model.stages import Build, Submission
+from grader.model.stages import Build, Stop, Submission
 from grader.model.trials import AlteredTrial, ImageTrial, Trial, WorkTrial
 from grader.options import Options
 from grader.oracle.plan import deeper_trials, depth_trial
+from grader.run.session import Engine
 from grader.run.trials import LARGE_MESH, Budget, Engines, at_once, part_of, run_trials
 from grader.solution import Solution
 from grader.summary import Summary
@@ -94,6 +95,7 @@ class Rounds:
         self._rubric = rubric
         self._options = options
         self._gallery = Gallery(engines.graded, rubric.scenes)
+        self._vouched: list[Engine] = []
         self.small_depths: list[DepthCase] = []
         """Trees of the sanitized build, which say something only if they end at its limit."""
 
@@ -106,6 +108,7 @@ class Rounds:
 
         for delivered in run_trials(trials, self._engines, self._budget, progress):
             for case in delivered:
+                self._vouch(case)
                 if self._options.views:
                     self._gallery.note(case)
                 if isinstance(case, DepthCase) and case.trial.sanitized:
@@ -114,6 +117,17 @@ class Rounds:
                     yield replace(case, reference_cpu_seconds=reference[case.name])
                 else:
                     yield case
+
+    def _vouch(self, case: Case) -> None:
+        """Blame nobody for not starting where our own solution does not start either."""
+        if not isinstance(case, SurvivalCase | MemoryCase):
+            return
+        engine = self._engines.of(case.trial)
+        if case.ending.stop is not Stop.FAILED_TO_START or engine is None:
+            return
+        if engine not in self._vouched:
+            self._vouched.append(engine)
+            self._solution.vouch(engine)
 
     def grade(
         self, summary: Summary, given: Submission, build: Build, trials: Sequence[Trial]

@@ -1,7 +1,11 @@
 """What our own solution says: its trees, and the time that it takes for a trial."""
 
+import shutil
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
+
+import numpy as np
 
 from grader.build.reference import reference_library
 from grader.errors import WorkerFault
@@ -35,6 +39,8 @@ GENEROUS = Limits(
 
 MOST_PLANS = 12
 """How many plans stay in memory. One has 60 MB, and only who certifies needs more than one."""
+
+_FACE = Mesh(np.eye(3, dtype=np.float32), np.arange(3, dtype=np.uint32)[None])
 
 _kept: dict[tuple[int, Path, str], Plan] = {}
 """The last plans, by what they were drawn from."""
@@ -106,6 +112,23 @@ class Solution:
             for case in self._run(work)
             if isinstance(case, SurvivalCase)
         }
+
+    def vouch(self, engine: Engine) -> None:
+        """Run our own library as a submission's is run, and from where it lies.
+
+        Raises:
+            WorkerFault: It does not come back either: nothing can be loaded from there.
+        """
+        own = engine.library.with_name("vouching.so")
+        shutil.copyfile(self._library, own)
+        allowed = Allowance(GENEROUS.small_seconds, GENEROUS.total_seconds)
+        here = replace(engine, library=own, nursery=None)
+        ending = run_batch([ConstructTrial("reference", _FACE)], here, allowed).ending
+        if ending.stop is not Stop.FINISHED:
+            raise WorkerFault(
+                f"the reference cannot be run from {own.parent} either: {ending.detail}; set "
+                "TMPDIR to a folder from which programs may be run"
+            )
 
     def _tree(self, mesh: Mesh) -> Bvh:
         key = digest_of("tree", self._library.name, mesh.vertices, mesh.faces)

@@ -29,6 +29,9 @@ class Compiler:
         return f"{self.name} {self.version}"
 
 
+WRAPPERS = frozenset(("ccache", "sccache", "distcc", "icecc"))
+"""Programs that go by a compiler's name."""
+
 _INPUT = re.compile(rb"(?!\x7fELF)[^(]*\bINPUT\s*\(\s*(/[^\s)]+)")
 
 
@@ -40,12 +43,22 @@ def find_compiler() -> Compiler:
     """
     wanted = os.environ.get("CXX")
     for candidate in (wanted,) if wanted else CANDIDATES:
-        path = shutil.which(candidate)
+        path = _program(candidate)
         if path:
             return _identify(str(Path(path).absolute()))
     missing = f"the compiler {wanted} (from CXX)" if wanted else "a C++ compiler"
     message = f"{missing} is not installed; install the Debian package g++ (12 or newer)"
     raise MissingTool(message)
+
+
+def _program(name: str) -> str | None:
+    """Find a compiler itself, behind those that only keep its products: they need a home."""
+    folders = os.environ.get("PATH", os.defpath).split(os.pathsep)
+    for k in range(len(folders)):
+        path = shutil.which(name, path=os.pathsep.join(folders[k:]))
+        if path is None or Path(path).resolve().name not in WRAPPERS:
+            return path
+    return None
 
 
 def _identify(path: str) -> Compiler:

@@ -131,3 +131,19 @@ def test_a_linker_script_leads_to_the_library(
         path = program(tmp_path, "g++", f"{answer}")
         found = sanitizer_runtime(Compiler(str(path), "g++", "14.2.1"))
         assert found.split() == [str(library)] * 2
+
+
+def test_what_goes_by_a_compilers_name_is_passed_over(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Fedora puts a folder of links to ccache first; alone, it is no compiler."""
+    first, second = tmp_path / "ccache-links", tmp_path / "bin"
+    for folder in (first, second):
+        folder.mkdir()
+    (first / "g++").symlink_to(program(tmp_path, "ccache", "g++ 12.2.0"))
+    monkeypatch.setenv("PATH", str(first))
+    with pytest.raises(MissingTool):
+        find_compiler()
+    own = program(second, "g++", "g++ 12.2.0")
+    monkeypatch.setenv("PATH", f"{first}:{second}:/usr/bin:/bin")
+    assert find_compiler().path == str(own)
