@@ -48,6 +48,9 @@ _CALL = re.compile(rb"^(call|jmp|bl?$|b[lr]+$)")
 _POINTER_CALL = re.compile(rb"^(call\w*\s+\*|blr\s)")
 _ELSEWHERE = re.compile(rb"(?:^|[^\w.$])([a-z]\w{0,80}|_Z(?:n[wa]|d[la])\w{1,20})@GOTPCREL")
 _ELSEWHERE_ARM = re.compile(rb":got:([a-z]\w{0,80}|_Z(?:n[wa]|d[la])\w{1,20})\b")
+_NAMED = (b"_Z", b"ex03_")
+"""How functions begin that lie elsewhere and may lead back: of C++, and our own door."""
+
 _OF_THE_LIBRARY = (b"_ZNSt", b"_ZSt", b"_ZNKSt")
 _DATA = {b"stdin", b"stdout", b"stderr", b"environ"}
 _TABLE = re.compile(rb"^\.(?:quad|xword|8byte)\s+([\w.$\x80-\xff]{1,4096})")
@@ -162,7 +165,7 @@ def _note(read: _Read, owner: bytes, row: bytes) -> None:
             return
         verb, *words = row.split(None, 1) or [b""]
         names = _NAME.findall(words[0]) if words else []
-        known = [name for name in names if name in read.functions or name.startswith(b"_Z")]
+        known = [name for name in names if name in read.functions or name.startswith(_NAMED)]
         read.calls |= dict.fromkeys((owner, name) for name in known)
         if not _CALL.match(verb):
             functions = [name for name in known if name in read.functions]

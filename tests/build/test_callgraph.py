@@ -67,6 +67,12 @@ def test_direct_calls_and_pointers_are_listed(text: str) -> None:
     } == calls(text)
 
 
+def test_a_call_of_our_own_door_is_listed() -> None:
+    """It leads back into the file, unlike other functions of C."""
+    text = GNU.replace("memcpy", "ex03_construct")
+    assert calls(text) - calls(GNU) == {("main", "ex03_construct")}
+
+
 @pytest.mark.parametrize("text", [GNU, CLANG], ids=["g++", "clang++"])
 def test_functions_have_their_first_own_line(text: str) -> None:
     """Lines of other files are not the student's."""
