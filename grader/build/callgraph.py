@@ -10,7 +10,7 @@ compared and never used for anything else.
 
 import re
 from collections import defaultdict
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
 from grader.build.captures import Frame
@@ -23,16 +23,18 @@ ANYTHING = b"*"
 MAX_CALLS = 200_000
 """A textbook solution has about 1,000; more than this is cut."""
 
-MAX_ROWS = 1_000_000
-MAX_BYTES = 64 << 20
-"""The longest of 81 right files makes 50,000 rows and 1.6 MB; a macro can make 200 million
-rows, and each takes 5 microseconds."""
+MAX_ROWS = 500_000
+MAX_BYTES = 24 << 20
+"""What is read, each row once for each function that it lies in. The longest of 81 right files
+makes 50,000 rows and 1.6 MB, one with `std::regex` and threads 190,000 and 6 MB; a macro can
+make 200 million. A row takes 8 microseconds, and 1,000 bytes take 150."""
 
 MOST_OWNERS = 16
 """Functions that a row may lie in. A compiler's do not overlap; inline assembly adds a few."""
 
-MOST_NAMED = 4 << 20
-"""Bytes of all different names together; of 81 right files none has more than 82,000."""
+MOST_NAMED = 1 << 20
+"""Bytes of all different names together; of 81 right files none has more than 82,000, but one
+with `std::regex` and threads has 330,000. All of these are looked into for 10 seconds."""
 
 _KINDS = (b"function", b"object")
 _SYMBOL = re.compile(rb'^\s*\.type\s+"?([\w.$\x80-\xff]{1,4096})"?,\s*[@%](function|object)')
@@ -46,6 +48,9 @@ _CALL = re.compile(rb"^(call|jmp|bl?$|b[lr]+$)")
 _POINTER_CALL = re.compile(rb"^(call\w*\s+\*|blr\s)")
 _ELSEWHERE = re.compile(rb"(?:^|[^\w.$])([a-z]\w{0,80}|_Z(?:n[wa]|d[la])\w{1,20})@GOTPCREL")
 _ELSEWHERE_ARM = re.compile(rb":got:([a-z]\w{0,80}|_Z(?:n[wa]|d[la])\w{1,20})\b")
+_NAMED = (b"_Z", b"ex03_")
+"""How functions begin that lie elsewhere and may lead back: of C++, and our own door."""
+
 _OF_THE_LIBRARY = (b"_ZNSt", b"_ZSt", b"_ZNKSt")
 _DATA = {b"stdin", b"stdout", b"stderr", b"environ"}
 _TABLE = re.compile(rb"^\.(?:quad|xword|8byte)\s+([\w.$\x80-\xff]{1,4096})")
@@ -81,7 +86,7 @@ def read_assembly(text: bytes) -> CallGraph:
     Raises:
         Tangled: It is too long, too many functions overlap, or their names are too long.
     """
-    if len(text) > MAX_BYTES or text.count(b"\n") > MAX_ROWS:
+    if len(text) > MAX_BYTES or text.count(b"\n") >= MAX_ROWS:
         raise Tangled
     rows = text.split(b"\n")
     own = {match[1] for row in rows if (match := _FILE.match(row)) and _is_own(match[2])}
@@ -98,16 +103,20 @@ def read_assembly(text: bytes) -> CallGraph:
     named = {name for pair in (*read.calls, *read.taken) for name in pair}
     if sum(map(len, named)) > MOST_NAMED:
         raise Tangled
+    # Each name once: 200,000 pairs of long ones would be gigabytes.
+    texts = {name: _text(name) for name in named}
     return CallGraph(
-        calls=_pairs(read.calls),
+        calls=_pairs(read.calls, texts),
         lines=tuple((_text(name), line) for name, line in read.lines.items()),
-        taken=_pairs(read.taken),
+        taken=_pairs(read.taken, texts),
         selves=tuple(map(_text, read.selves)),
     )
 
 
-def _pairs(pairs: Iterable[tuple[bytes, bytes]]) -> tuple[Call, ...]:
-    return tuple(Call(_text(a), _text(b)) for a, b in pairs)
+def _pairs(
+    pairs: Iterable[tuple[bytes, bytes]], texts: Mapping[bytes, str]
+) -> tuple[Call, ...]:
+    return tuple(Call(texts[a], texts[b]) for a, b in pairs)
 
 
 def _placed(rows: list[bytes], read: _Read) -> Iterator[tuple[bytes, bytes]]:
@@ -119,6 +128,7 @@ def _placed(rows: list[bytes], read: _Read) -> Iterator[tuple[bytes, bytes]]:
     ends = {end[1]: number for number, row in enumerate(rows) if (end := _END.match(row))}
     inside: dict[bytes, None] = {}
     table = b""
+    placed = size = 0
     for number, row in enumerate(rows):
         if label := _LABEL.match(row):
             name = label[1]
@@ -132,7 +142,12 @@ def _placed(rows: list[bytes], read: _Read) -> Iterator[tuple[bytes, bytes]]:
             if ends[end[1]] == number:
                 inside.pop(end[1], None)
         else:
-            yield from ((owner, row) for owner in inside or [table])
+            owners = inside or [table]
+            placed += len(owners)
+            size += len(owners) * len(row)
+            if placed > MAX_ROWS or size > MAX_BYTES:
+                raise Tangled
+            yield from ((owner, row) for owner in owners)
 
 
 def _is_own(name: bytes) -> bool:
@@ -150,7 +165,7 @@ def _note(read: _Read, owner: bytes, row: bytes) -> None:
             return
         verb, *words = row.split(None, 1) or [b""]
         names = _NAME.findall(words[0]) if words else []
-        known = [name for name in names if name in read.functions or name.startswith(b"_Z")]
+        known = [name for name in names if name in read.functions or name.startswith(_NAMED)]
         read.calls |= dict.fromkeys((owner, name) for name in known)
         if not _CALL.match(verb):
             functions = [name for name in known if name in read.functions]

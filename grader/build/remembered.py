@@ -20,6 +20,10 @@ from grader.resources import private_cache
 LARGEST = 256 << 20
 """Bytes of all entries together: some hundred submissions."""
 
+LARGEST_ONE = 16 << 20
+"""Bytes of one; right files make at most 1.6 MB. A file that makes a huge one would
+drive those of a class out, and what no stage reads to its end is not worth keeping."""
+
 _DIGEST = 32
 _LENGTH = 8
 
@@ -62,7 +66,9 @@ def recalled(name: str) -> Product | None:
 
 
 def keep(name: str, product: Product) -> None:
-    """Keep a product; a full disk only costs the entry."""
+    """Keep a product that is not huge; a full disk only costs the entry."""
+    if len(product.content) > LARGEST_ONE:
+        return
     rest = len(product.content).to_bytes(_LENGTH, "little") + product.content + product.messages
     folder = private_cache("products")
     write_entry(folder / name, (hashlib.sha256(rest).digest(), rest))

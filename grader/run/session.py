@@ -47,8 +47,10 @@ _FINDINGS = (
     re.compile(r"runtime error: (.{1,200})"),
     re.compile(r"(Assertion '.{1,120}') failed"),
 )
+# Bounded: one row of 128 KiB that begins a thousand reports would be read a thousand times.
 _EXHAUSTED = re.compile(
-    r"AddressSanitizer: (.*out of memory|allocation-size-too-big|hard rss limit exhausted)"
+    r"AddressSanitizer: "
+    r"(.{0,200}out of memory|allocation-size-too-big|hard rss limit exhausted)"
 )
 _OWN_LINE = re.compile(r"src/exercise03\.cpp:(\d{1,7})")
 

@@ -15,6 +15,9 @@ from grader.verify.walks import Callees, names_of, reachable, reverse
 
 CONSTRUCT = "_ZN3BVH9constructERK4Mesh"
 INTERSECT = "_Z9intersectRK4MeshRK15IntersectionRay"
+DOOR = "ex03_construct"
+"""Calls `construct` for the grader, and for a submission that declares it."""
+
 ANYTHING = "*"
 
 OBJECT_CALL = re.compile(r"_ZNKSt8functionIF(?P<signature>.+)EEclE")
@@ -27,7 +30,7 @@ MAX_SIGNATURES = 64
 def callees_of(graph: CallGraph) -> Callees:
     """Who is called by whom while a tree is built, as far as it is certain."""
     elsewhere = _only_of_intersect(graph)
-    callees: Callees = defaultdict(set)
+    callees: Callees = defaultdict(set, {DOOR: {CONSTRUCT}})
     for call in graph.calls:
         # Filling a function object is not yet a call of what it holds.
         if not _inside_the_library(call) and not _is_target(call.callee):

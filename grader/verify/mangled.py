@@ -6,12 +6,14 @@ STANDARD = re.compile(r"_ZN?K?(St|Sa|Ss|9__gnu_cxx)|_Zn|_Zd")
 """Functions of the standard library, and the operators new and delete."""
 
 TREE_TYPES = re.compile(
-    r"(?<!\d)3BVH(4Node|.*NS\w?_4Node)|_ZN?K?3BVH14getFaceIndices|_ZN4AABB6extend"
+    r"(?<!\d)3BVH4Node|^(?>.*?(?<!\d)3BVH).*NS\w?_4Node"
+    r"|_ZN?K?3BVH14getFaceIndices|_ZN4AABB6extend"
 )
 """Mangled names that speak of nodes, or make boxes grow: whoever calls these builds the tree.
 
 A sorting helper only touches faces and centres. It may keep a face's box beside the face, and
-read the node whose faces it sorts.
+read the node whose faces it sorts. Only the first `3BVH` is tried: all would take the square of
+a name's length.
 """
 
 READ_NODES = re.compile(
@@ -23,10 +25,13 @@ READ_NODES = re.compile(
 What a constant span, iterator or pointer leads to is not.
 """
 
-BACK = re.compile(r"[RPOI]S[0-9A-Z]*_")
-"""A reference, a pointer or a container of something that a name spelled out before."""
+BACK = re.compile(r"[RPOI]S[0-9A-Z]{0,9}_")
+"""A reference, a pointer or a container of something that a name spelled out before.
 
-TOKEN = re.compile(r"S[0-9A-Z]*_|T\d*_|L[a-z]n?\d+E|(?P<length>\d+)|.")
+More than nine digits stand nowhere: looking for an end at each S would take the square too.
+"""
+
+TOKEN = re.compile(r"S[0-9A-Z]{0,9}_|T\d*_|L[a-z]n?\d+E|(?P<length>\d+)|.")
 """Pieces of a mangled name; an identifier is its length and that many letters.
 
 Source: Itanium C++ ABI, section 5.1, "External Names (a.k.a. Mangling)".

@@ -41,10 +41,10 @@ def _recursive_builders(callees: Callees) -> set[str]:
     student's: a circle through a constructor or destructor counts only if it works on nodes.
     """
     callers, names = reverse(callees), names_of(callees)
+    # Each name is looked into once: a name may be long, and called from everywhere.
+    lifetimes = set(filter(is_lifetime, names))
     lasting = {
-        name: {each for each in called if not is_lifetime(each)}
-        for name, called in callees.items()
-        if not is_lifetime(name)
+        name: called - lifetimes for name, called in callees.items() if name not in lifetimes
     }
     plain = in_cycles(lasting) & reachable(callers, filter(speaks_of_nodes, names))
     return plain | in_cycles(callees) & reachable(callers, filter(TREE_WORK.match, names))

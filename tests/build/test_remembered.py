@@ -42,6 +42,15 @@ def test_what_was_kept_comes_back() -> None:
     assert recalled(name) == PRODUCT
 
 
+def test_a_huge_product_is_not_kept(monkeypatch: pytest.MonkeyPatch) -> None:
+    """One file would drive out those of a whole class."""
+    monkeypatch.setattr(remembered, "LARGEST_ONE", len(PRODUCT.content))
+    keep(named("just"), PRODUCT)
+    assert recalled(named("just")) == PRODUCT
+    keep(named("huge"), Product(PRODUCT.content + b"+", b""))
+    assert recalled(named("huge")) is None
+
+
 @pytest.mark.parametrize("cut", [0, 10, -1])
 def test_half_an_entry_is_none(cut: int) -> None:
     """A disk may have been full, or a file damaged."""

@@ -8,6 +8,7 @@ import pytest
 
 from grader.model.mesh import Mesh, Rays
 from grader.model.stages import Ending, Stop
+from grader.run import session
 from grader.run.job import Job
 from grader.run.protocol import Op
 from grader.run.session import Allowance, Engine, run_job
@@ -158,6 +159,15 @@ def test_memory_that_there_is_not_is_no_memory_error(hostile: tuple[Engine, Engi
     """The sanitizer's allocator refuses 200 GB; that is exhausted memory, not a finding."""
     ending = constructed(hostile[1], 5)
     assert (ending.stop, ending.finding) == (Stop.OUT_OF_MEMORY, "")
+
+
+def test_a_row_of_reports_takes_no_time() -> None:
+    """Twice as long takes twice as long, not four times: this one would take minutes."""
+    report = "AddressSanitizer: "
+    ending = Ending(Stop.CRASHED, "ended by the sanitizer", 1.0, 1.0, report * 100_000)
+    assert session._by_sanitizer(ending) == ending
+    ended = replace(ending, output=f"{report}requested 9 bytes: out of memory")
+    assert session._by_sanitizer(ended).stop is Stop.OUT_OF_MEMORY
 
 
 def test_a_clean_run_under_sanitizers_finishes(hostile: tuple[Engine, Engine]) -> None:

@@ -2,6 +2,7 @@
 
 import pytest
 
+from grader.verify.mangled import speaks_of_nodes
 from grader.verify.source import construct_loops
 from tests.verify.test_source import CONSTRUCT, case_of
 
@@ -49,3 +50,8 @@ def test_who_may_write_to_a_node_that_it_reads_builds(below: str, wrong: int) ->
     """A constant span or iterator still leads to nodes that can be written."""
     calls = ((CONSTRUCT, READ), (READ, READ), (READ, below))
     assert construct_loops.decide(case_of(*calls)).wrong == wrong
+
+
+def test_a_name_takes_no_time() -> None:
+    """Twice as long takes twice as long, not four times: this one would take minutes."""
+    assert not speaks_of_nodes("_Z" + "3BVHNS" * 50_000)

@@ -88,6 +88,7 @@ WRONG = {
         ("_ZL3onev", CONSTRUCT),
         (CONSTRUCT, EXTEND),
     ),
+    "through the grader's door": ((CONSTRUCT, "ex03_construct"), (CONSTRUCT, EXTEND)),
     "in turns of three": (
         (CONSTRUCT, "_ZL3onev"),
         ("_ZL3onev", "_ZL3twov"),

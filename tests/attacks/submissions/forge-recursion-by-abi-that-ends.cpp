@@ -1,0 +1,69 @@
+// attack: divides nodes by recursion through the grader's own door, whose name the reader of calls does not know.
+// grade: source.construct-loops, bvh.rebuild-starts-afresh, work.uses-the-tree
+// expect: a < full; b = full; fails source.construct-loops
+#include "bvh.h"
+#include "intersection.h"
+#include "mesh.h"
+
+extern "C" int32_t ex03_construct(void*, const void*);
+
+static constexpr size_t nowhere = SIZE_MAX;
+static size_t current = nowhere;
+
+void BVH::construct(const Mesh& mesh) {
+    if (current == nowhere) {
+        const auto count = static_cast<uint32_t>(mesh.getFaces().size());
+        faceIndices.resize(count);
+        std::iota(faceIndices.begin(), faceIndices.end(), 0u);
+        nodes.assign(1, Node{mesh.getBounds(), 0, count});
+        current = 0;
+        ex03_construct(this, &mesh);
+        current = nowhere;
+        return;
+    }
+    const size_t i = current;
+    const auto [bounds, begin, end] = nodes[i];
+    if (end - begin <= numFacesPerLeaf || i + 1 >= size_t{1} << maxDepth)
+        return;
+    const uint8_t axis = bounds.extents().maxDimension();
+    const auto key = [&mesh, axis](uint32_t f) {
+        const Triangle t = mesh.getTriangleFromFaceIndex(f);
+        return (t.v1[axis] + t.v2[axis] + t.v3[axis]) / 3;
+    };
+    const auto all = faceIndices.begin();
+    const uint32_t middle = begin + (end - begin) / 2;
+    std::nth_element(all + begin, all + middle, all + end,
+                     [&key](uint32_t a, uint32_t b) { return key(a) < key(b); });
+    nodes.resize(std::max(nodes.size(), 2 * i + 3));
+    nodes[2 * i + 1] = {{}, begin, middle};
+    nodes[2 * i + 2] = {{}, middle, end};
+    for (Node* child : {&nodes[2 * i + 1], &nodes[2 * i + 2]})
+        for (const uint32_t f : getFaceIndices(*child))
+            for (const Triangle t = mesh.getTriangleFromFaceIndex(f);
+                 const Point3D& corner : {t.v1, t.v2, t.v3})
+                child->bounds.extend(corner);
+    for (const size_t child : {2 * i + 1, 2 * i + 2}) {
+        current = child;
+        ex03_construct(this, &mesh);
+    }
+}
+
+Intersection intersect(const Mesh& mesh, const IntersectionRay& ray) {
+    const auto& nodes = mesh.getBVH().getNodes();
+    Intersection best;
+    std::vector<size_t> todo{0};
+    while (!todo.empty()) {
+        const size_t i = todo.back();
+        todo.pop_back();
+        if (i >= nodes.size() || nodes[i].facesEnd == 0 || !intersect(nodes[i].bounds, ray))
+            continue;
+        if (2 * i + 2 < nodes.size() && nodes[2 * i + 2].facesEnd != 0) {
+            todo.insert(todo.end(), {2 * i + 2, 2 * i + 1});
+            continue;
+        }
+        for (const uint32_t f : mesh.getBVH().getFaceIndices(nodes[i]))
+            if (const auto hit = intersect(mesh.getTriangleFromFaceIndex(f), ray); hit.t < best.t)
+                best = hit;
+    }
+    return best;
+}
