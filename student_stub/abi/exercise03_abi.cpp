@@ -116,7 +116,7 @@ void trace(const Mesh& mesh, const ex03_batch& batch, uint64_t part) {
     uint32_t* tests = batch.tests == nullptr ? nullptr : batch.tests + 2 * part * batch.count;
     std::optional<IntersectionRay> ray;
     for (uint64_t i = 0; i < batch.count; ++i) {
-        if (i == 0 || !isSame(rays[i], rays[i - 1])) {
+        if (!ray.has_value() || !isSame(rays[i], rays[i - 1])) {
             ray.emplace(rays[i]);
         }
         const Counters before = counters;
