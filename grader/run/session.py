@@ -33,6 +33,12 @@ FILE_BYTES = 1 << 20
 PLAIN = {"MALLOC_ARENA_MAX": "4"}
 """The environment of a worker."""
 
+_WITH_SHADOW = 1.25
+"""Memory under a sanitizer, whose notes on eight bytes take one more. What it maps before the
+limit of address space is set, that limit does not see."""
+
+_TOO_MUCH = "asked for more memory than there is"
+
 SANITIZER_EXIT = 86
 SANITIZER_ENVIRONMENT = {
     # An assertion ends in abort: handled, it leaves a stack with the student's line.
@@ -100,9 +106,10 @@ def carried_out(job: Job, engine: Engine, allowed: Allowance) -> tuple[Ending, R
         How it ended, and the result, which is whole up to `rows_done`.
     """
     entry = staged(MODULES)
-    environment = dict(PLAIN)
+    environment, resident = dict(PLAIN), 0
     if engine.preload:
         environment |= {"LD_PRELOAD": engine.preload, **SANITIZER_ENVIRONMENT}
+        resident = int(_WITH_SHADOW * (engine.limits.memory_mib << 20))
     with job.files() as (given, result_file):
         target = Target(
             program="worker",
@@ -111,6 +118,7 @@ def carried_out(job: Job, engine: Engine, allowed: Allowance) -> tuple[Ending, R
             output_bytes=engine.limits.output_kib << 10,
             descriptors=(given, result_file),
             environment=environment,
+            resident_bytes=resident,
         )
         box = Box((entry.parent, engine.library), bounds_of(engine, allowed))
         outcome = confined(target, box, entry, engine.isolation, engine.nursery)
@@ -162,8 +170,7 @@ def ending_of(outcome: Outcome, job: Job, result: Result, allowed: Allowance) ->
 def _by_sanitizer(ending: Ending) -> Ending:
     """Tell exhausted memory, and a report that the submission kept from us, from other ends."""
     if not ending.finding and _EXHAUSTED.search(ending.output):
-        detail = "asked for more memory than there is"
-        return replace(ending, stop=Stop.OUT_OF_MEMORY, detail=detail)
+        return replace(ending, stop=Stop.OUT_OF_MEMORY, detail=_TOO_MUCH)
     if not ending.finding and "AddressSanitizer" not in ending.output:
         return replace(ending, finding="an error, whose report went to a closed stderr")
     return ending
@@ -172,6 +179,8 @@ def _by_sanitizer(ending: Ending) -> Ending:
 def _stop(
     outcome: Outcome, complete: bool, status: int, result: Result, allowed: Allowance
 ) -> tuple[Stop, str]:
+    if outcome.exhausted:
+        return Stop.OUT_OF_MEMORY, _TOO_MUCH
     if outcome.timed_out:
         return Stop.TIMED_OUT, f"stopped after {allowed.wall_seconds:.3g} s"
     if outcome.code < 0 or outcome.cpu_seconds > _whole(allowed):

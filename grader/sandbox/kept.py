@@ -6,13 +6,12 @@ waits in the box ends the copy, which is its child: so the CPU time is told in e
 answer comes, the whole box is ended.
 """
 
-import os
 import selectors
 import socket
 import subprocess
 import time
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import ExitStack, contextmanager, nullcontext, suppress
+from collections.abc import Callable, Sequence
+from contextlib import ExitStack, nullcontext, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from struct import Struct
@@ -31,8 +30,9 @@ from grader.sandbox.launch import (
     finish,
     is_stopped,
 )
+from grader.sandbox.resident import LOOK_SECONDS, resident_bytes
 from grader.sandbox.slots import settled
-from grader.sandbox.streams import Stream
+from grader.sandbox.streams import Stream, pipe
 from grader.sandbox.target import START_SECONDS, Target
 from grader.sandbox.words import specification
 
@@ -74,8 +74,11 @@ class _Case:
 
     delayed: float = 0.0
     enough: bool = False  # somebody wants it to end
+    exhausted: bool = False
+    """Whether it held more memory than it may."""
+
     stopped: bool = False
-    """Whether its time was over."""
+    """Whether its time was over, or its memory."""
 
 
 class KeptBox:
@@ -141,7 +144,7 @@ class KeptBox:
             BoxLost: Somebody ended the box, and the target with it.
             WorkerFault: It does not end although it was killed.
         """
-        with _pipe() as out, _pipe() as err:
+        with pipe() as out, pipe() as err:
             streams = [Stream(pipe.read, target.output_bytes) for pipe in (out, err)]
             data = channel.request(cpu_seconds, list(target.arguments))
             files = (out.write, err.write, *target.descriptors)
@@ -161,8 +164,11 @@ class KeptBox:
         if not case.pid:
             raise NotReached(kept[1].decode(errors="replace").strip()[-500:])
         # Its end may have crossed the word that its time was over.
-        timed_out = case.stopped and code == _KILLED
-        ended = Outcome(code, timed_out, kept[0], kept[1], lasted, seconds, case.delayed)
+        stopped = case.stopped and code == _KILLED
+        timed_out, exhausted = stopped and not case.exhausted, stopped and case.exhausted
+        ended = Outcome(
+            code, timed_out, kept[0], kept[1], lasted, seconds, case.delayed, exhausted
+        )
         if not self.alive:
             raise BoxLost(ended)
         return ended
@@ -178,25 +184,28 @@ class KeptBox:
             if target.until is not None:
                 selector.register(target.until, selectors.EVENT_READ, case)
             while True:
-                for key, _ in selector.select(self._next_look(case)):
+                for key, _ in selector.select(self._next_look(case, target)):
                     if key.data is None:
                         if (ended := self._heard(case, target)) is not None:
                             return ended
                     elif _is_over(key.data):
                         selector.unregister(key.fd)
 
-    def _next_look(self, case: _Case) -> float:
+    def _next_look(self, case: _Case, target: Target) -> float:
         """Look at a copy now and then, and stop it in time; seconds until the next look."""
-        now = time.monotonic()
-        if now >= case.deadline or (case.enough and case.pid and not case.stopped):
+        now, limit = time.monotonic(), target.resident_bytes
+        runs = case.pid and not case.stopped
+        if runs and limit:
+            case.exhausted = resident_bytes(case.pid) > limit
+        if now >= case.deadline or (runs and (case.enough or case.exhausted)):
             self._stop(case)
         elif now >= case.glance and case.pid:
             case.delayed = max(case.delayed, seconds_in_line(case.pid))
             case.glance = now + GLANCE_SECONDS
-        return max(0.0, min(case.deadline - now, GLANCE_SECONDS))
+        return max(0.0, min(case.deadline - now, LOOK_SECONDS if limit else GLANCE_SECONDS))
 
     def _stop(self, case: _Case) -> None:
-        """Have a copy ended whose time is over."""
+        """Have a copy ended whose time is over, or whose memory."""
         if not case.pid:
             self._lost("its process did not begin in time")
         if case.stopped:
@@ -276,24 +285,3 @@ def _order(target: Target, box: Box, entry: Path, isolation: Isolation, control:
 
 def _pipes(child: subprocess.Popen[bytes]) -> Sequence[IO[bytes]]:
     return [pipe for pipe in (child.stdout, child.stderr) if pipe is not None]
-
-
-@dataclass(slots=True)
-class _Pipe:
-    read: int
-    write: int
-
-    def close_write(self) -> None:
-        if self.write >= 0:
-            os.close(self.write)
-            self.write = -1
-
-
-@contextmanager
-def _pipe() -> Iterator[_Pipe]:
-    pipe = _Pipe(*os.pipe())
-    try:
-        yield pipe
-    finally:
-        os.close(pipe.read)
-        pipe.close_write()

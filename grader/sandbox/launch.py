@@ -68,6 +68,9 @@ class Outcome:
     delayed_seconds: float = 0.0
     """How long it stood in line for a processor, as far as that was seen."""
 
+    exhausted: bool = False
+    """Whether it was ended because it held more memory than it may."""
+
 
 class _Running:
     """Children that live now, so that an interrupted grader can end them all at once."""

@@ -1,6 +1,9 @@
 """What is kept of an output stream that never ends?"""
 
 import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
 
 CHUNK = 65536
 PIPE_LIMIT = 1 << 20
@@ -51,3 +54,28 @@ class Stream:
         for _ in range(PIPE_LIMIT // CHUNK):
             if not self.drain():
                 return
+
+
+@dataclass(slots=True)
+class Pipe:
+    """Both ends of a pipe, of which a child gets the one to write."""
+
+    read: int
+    write: int
+
+    def close_write(self) -> None:
+        """Close our copy of the child's end."""
+        if self.write >= 0:
+            os.close(self.write)
+            self.write = -1
+
+
+@contextmanager
+def pipe() -> Iterator[Pipe]:
+    """Make a pipe, and close what is left of it."""
+    made = Pipe(*os.pipe())
+    try:
+        yield made
+    finally:
+        os.close(made.read)
+        made.close_write()

@@ -34,6 +34,9 @@ class Target:
     """A descriptor of ours; once it can be read, the target is ended as if its time was over.
     For modules only."""
 
+    resident_bytes: int = 0
+    """Memory that it may hold, where no limit counts it; 0 for any. For modules only."""
+
     @property
     def is_module(self) -> bool:
         """Whether it is Python of ours, which runs in a copy of a waiting process."""

@@ -29,6 +29,7 @@ class Given:
     descriptors: tuple[int, ...] = ()
     readable: tuple[Path, ...] = ()
     words: Sequence[str] = ()
+    resident_bytes: int = 0
 
 
 def counts_tasks(isolation: Isolation) -> bool:

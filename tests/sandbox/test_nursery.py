@@ -57,7 +57,14 @@ def ran(
     entry = staged(SNIPPET)
     bounds = given.bounds or WORKER_BOUNDS
     box = Box((entry.parent,), bounds, writable, starts_programs=writable is not None)
-    target = Target("snippet", [code], given.seconds, 4096, descriptors=given.descriptors)
+    target = Target(
+        "snippet",
+        [code],
+        given.seconds,
+        4096,
+        descriptors=given.descriptors,
+        resident_bytes=given.resident_bytes,
+    )
     return confined(target, box, entry, isolation, own)
 
 
@@ -126,6 +133,20 @@ def test_a_case_that_is_stopped_tells_its_time(
     # Others may use the processors too, but somebody got the time that it did not get.
     assert busy.cpu_seconds + busy.delayed_seconds > 0.4
     assert idle.cpu_seconds < 0.2
+    assert len(boxes) == 1
+
+
+def test_a_case_that_holds_too_much_memory_is_ended(
+    isolation: Isolation, own: Nursery, boxes: list[int]
+) -> None:
+    """Also what no limit counts, because it was mapped before; the box is kept."""
+    fill = "import time; held = bytearray({} << 20); time.sleep({})"
+    most = Given(resident_bytes=300 << 20)
+    well = ran(isolation, own, fill.format(200, 0.2), most)
+    assert (well.code, well.exhausted) == (0, False)
+    ended = ran(isolation, own, fill.format(400, 600), most)
+    assert (ended.code, ended.exhausted, ended.timed_out) == (-signal.SIGKILL, True, False)
+    assert ran(isolation, own, fill.format(400, 0.2)).code == 0
     assert len(boxes) == 1
 
 

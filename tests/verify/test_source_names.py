@@ -29,7 +29,12 @@ def test_a_capital_letter_in_a_name_is_no_scope() -> None:
 def test_a_name_is_looked_into_once(monkeypatch: pytest.MonkeyPatch) -> None:
     """However many functions call it: a thousand long ones, called from 160, took minutes."""
     asked: list[str] = []
-    monkeypatch.setattr(source, "is_lifetime", lambda name: asked.append(name) is not None)
+
+    def is_lifetime(name: str) -> bool:
+        asked.append(name)
+        return False
+
+    monkeypatch.setattr(source, "is_lifetime", is_lifetime)
     calls = [(f"_Z1{a}v", f"_Z1{b}v") for a in "abcdef" for b in "uvwxyz"]
     assert construct_loops.decide(case_of(*calls)) == Evidence(1, 0)
     assert len(asked) == len(set(asked))
