@@ -149,7 +149,9 @@ def _elsewhere(case: RepeatCase) -> Evidence:
     ray = np.flatnonzero(~judgement.uncounted)
     before = judge(case.trial.answers, case.first.t)
     was_right = not (before.missed_closer | before.no_surface).any()
-    taken_over = np.isfinite(case.first.t) & (case.first.t == case.other.t)
+    # Where both meshes have the same answer, the same mistake is no sign of anything.
+    told_apart = case.trial.answers.limit != case.trial.other_answers.limit
+    taken_over = told_apart & np.isfinite(case.first.t) & (case.first.t == case.other.t)
     wrong = (judgement.missed_closer | judgement.no_surface) & (taken_over | was_right)
 
     def example(k: int) -> Example:

@@ -1,6 +1,7 @@
 #include "exercise03_abi.h"
 
 #include "access.h"
+#include "copies.h"
 #include "counters.h"
 #include "intersection.h"
 #include "not_written.h"
@@ -76,31 +77,6 @@ template <typename Action> Outcome guarded(const Action& action) {
         outcome.fail(EX03_THREW, "an exception that is not a std::exception");
     }
     return outcome;
-}
-
-template <typename Item, typename Out>
-uint64_t copyOut(const std::vector<Item>& items, Out* out, uint64_t capacity) {
-    const uint64_t count = std::min<uint64_t>(items.size(), capacity);
-    if (count > 0) {
-        std::memcpy(out, items.data(), count * sizeof(Item));
-    }
-    return items.size();
-}
-
-/// Items with room behind the last one, as push_back leaves it, and not clean: who takes
-/// `capacity()` for `size()` meets there what does not exist. Without items there is no room, and
-/// none where a sanitizer watches: reading one item too far must leave the memory that is ours.
-template <typename Item>
-std::vector<Item> copyIn(const void* data, uint64_t count, const Item& stray = {}) {
-    const size_t spare = count == 0 ? 0 : EX03_SPARE;
-    const auto* first = static_cast<const Item*>(data);
-    std::vector<Item> items;
-    // Throws for any count that `first + count` could not express.
-    items.reserve(std::max(count, count + spare));
-    items.assign(first, first + count);
-    items.resize(count + spare, stray);
-    items.resize(count);
-    return items;
 }
 
 /// Whether two rays are the same, bit by bit.

@@ -241,7 +241,11 @@ def test_a_second_mesh_is_not_answered_from_the_first() -> None:
     """Repeating the same wrong hit is wrong too: on another mesh other faces are there."""
     t = np.full(3, 0.125, np.float32)
     case = repeated(replace(three_hits(), t=t), again=replace(three_hits(), t=t))
-    taken_over = replace(case, other=replace(case.other, t=t))
+    alike = replace(case, other=replace(case.other, t=t))
+    # The same mistake twice, where both meshes have the same answers.
+    assert checks.calls_are_independent.decide(alike).wrong == 0
+    first = replace(case.trial.answers, limit=np.full(3, 7.0))
+    taken_over = replace(alike, trial=replace(case.trial, answers=first))
     evidence = checks.calls_are_independent.decide(taken_over)
     assert evidence.wrong == case.other.t.size
     assert " on a second mesh, " in evidence.examples[0].message
