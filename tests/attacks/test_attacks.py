@@ -56,8 +56,8 @@ WITHIN = re.compile(
     "(brute|callgraph|chance|detect|forge|interpose|known|linker|patch|state|text)-"
     "|compile-(constexpr|deep|diagnostics|giant|long|macro|many|nested|self|template)"
 )
-"""Attacks that stay within their own process, and bombs that the kernel's limits for each process
-end: nothing there knows the level."""
+"""Attacks that stay within their own process, and bombs that the limits of one process end:
+nothing there knows the level."""
 
 
 def at_every_level() -> list[Any]:
