@@ -213,11 +213,12 @@ def _construct_trials(meshes: dict[str, Mesh]) -> list[Trial]:
     reflected = Mesh(-twin.vertices, twin.faces)
     growing = (meshes["cloud-1"], meshes["cloud-64"])
     return [
-        *(ConstructTrial(f"tree over {name}", mesh) for name, mesh in meshes.items()),
+        # First: who corrupts the heap may never come back from a large mesh.
         *(
             ConstructTrial(f"tree over {name}, sanitized", meshes[name], sanitized=True)
             for name in SANITIZED
         ),
+        *(ConstructTrial(f"tree over {name}", mesh) for name, mesh in meshes.items()),
         *(RebuildTrial(f"tree over {a}, {b}, {a}", meshes[a], meshes[b]) for a, b in REBUILT),
         RebuildTrial(f"tree over {TWIN}, its faces in reverse, {TWIN}", twin, reverse),
         RebuildTrial(f"tree over {TWIN}, its vertices reflected, {TWIN}", twin, reflected),
