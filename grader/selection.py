@@ -16,7 +16,7 @@ from grader.model.stages import Further
 from grader.model.trials import ConstructTrial, ImageTrial, Trial
 from grader.oracle.plan import spine_trials
 from grader.quick import quick_checks
-from grader.run.trials import build_of
+from grader.run.trials import build_of, is_sanitized
 from grader.score.rubric import BOTH, load_rubric
 from grader.tolerances import FACES_PER_LEAF, SMALL_MAX_DEPTH
 from grader.verify import every_check
@@ -33,6 +33,9 @@ class Selection:
 
     checks: tuple[Check, ...]
     """All checks to decide, those included that others need."""
+
+    asked: frozenset[str] = frozenset()
+    """Ids of those that were asked for."""
 
     hidden: tuple[str, ...] = ()
     """Checks of the rubric that are not run, because a student is not to see them."""
@@ -68,10 +71,12 @@ class Selection:
         return frozenset((Further.CALLS, *filter(None, needed)))
 
     def _looks_at(self, trials: Iterable[Trial]) -> bool:
+        """What others need is decided without sanitizers, whose builds take longest to make."""
         return any(
             each.kind in kinds_of(trial) and each.when(trial)
             for trial in trials
             for each in self.checks
+            if each.id in self.asked or not is_sanitized(trial)
         )
 
 
@@ -123,6 +128,7 @@ def select(
     return Selection(
         replace(rubric, criteria=criteria),
         tuple(each for each in checks if each.id in wanted),
+        frozenset(only or wanted),
         tuple(one.check for one in rubric.criteria if one.check in hidden),
         for_student,
     )

@@ -117,10 +117,13 @@ class Solution:
         """Run our own library as a submission's is run, and from where it lies.
 
         Raises:
-            WorkerFault: It does not come back either: nothing can be loaded from there.
+            WorkerFault: It cannot be put there, or does not come back either.
         """
         own = engine.library.with_name("vouching.so")
-        shutil.copyfile(self._library, own)
+        try:
+            shutil.copyfile(self._library, own)
+        except OSError as fault:
+            raise WorkerFault(f"{own} cannot be written: {fault.strerror}") from fault
         allowed = Allowance(GENEROUS.small_seconds, GENEROUS.total_seconds)
         here = replace(engine, library=own, nursery=None)
         ending = run_batch([ConstructTrial("reference", _FACE)], here, allowed).ending

@@ -59,6 +59,7 @@ def test_a_damaged_installation_is_named(tmp_path: Path) -> None:
     [
         ({"BVHGRADE_CACHE": "own"}, "own"),
         ({"BVHGRADE_CACHE": "own", "XDG_CACHE_HOME": "xdg"}, "own"),
+        ({"BVHGRADE_CACHE": "beside/../own"}, "own"),
         ({"XDG_CACHE_HOME": "xdg"}, "xdg/bvhgrade"),
         ({"BVHGRADE_CACHE": "", "XDG_CACHE_HOME": ""}, "home/.cache/bvhgrade"),
     ],
@@ -87,6 +88,20 @@ def test_a_cache_that_cannot_be_made_is_named(
     (tmp_path / "file").touch()
     monkeypatch.setenv("BVHGRADE_CACHE", str(tmp_path / "file" / "cache"))
     with pytest.raises(OutputFault, match="set BVHGRADE_CACHE"):
+        resources.cache_folder()
+
+
+def test_who_has_no_home_is_told_what_to_set(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A user of a container whom no file of passwords knows."""
+
+    def homeless() -> Path:
+        raise RuntimeError("Could not determine home directory.")
+
+    for name in ("BVHGRADE_CACHE", "XDG_CACHE_HOME"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setattr(resources, "is_root", lambda: False)
+    monkeypatch.setattr(Path, "home", homeless)
+    with pytest.raises(OutputFault, match="set BVHGRADE_CACHE to a folder"):
         resources.cache_folder()
 
 

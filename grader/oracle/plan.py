@@ -22,7 +22,7 @@ from grader.oracle.forms import other_form
 from grader.oracle.meshes import TRACED, construct_meshes, depth_mesh
 from grader.oracle.rays import Request
 from grader.oracle.remember import digest_of, remember
-from grader.oracle.repeated import TWIN, repeat_trials
+from grader.oracle.repeated import TWIN, repeat_trials, twins_of
 from grader.oracle.scenes import folder_sha256, image_trials
 from grader.oracle.spines import DEEPEST, spine_trial
 from grader.oracle.thicket import thicket, thicket_trial
@@ -207,10 +207,7 @@ def depth_trial(seed: int) -> ConstructTrial:
 def _construct_trials(meshes: dict[str, Mesh]) -> list[Trial]:
     """Lay out part a."""
     twin = meshes[TWIN]
-    # The same vertices, box and numbers, so only who looks at the faces sees a difference.
-    reverse = Mesh(twin.vertices, twin.faces[::-1].copy())
-    # The other way round: the same faces, whose corners lie elsewhere.
-    reflected = Mesh(-twin.vertices, twin.faces)
+    reflected, reverse = twins_of(twin)
     growing = (meshes["cloud-1"], meshes["cloud-64"])
     return [
         # First: who corrupts the heap may never come back from a large mesh.

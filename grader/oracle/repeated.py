@@ -25,13 +25,18 @@ SANITIZED_RAYS = 100
 Scene = tuple[Mesh, Bvh]
 
 
+def twins_of(mesh: Mesh) -> tuple[Mesh, Mesh]:
+    """Return the same faces with reflected vertices, and the same triangles in reverse order.
+
+    Sizes are alike, so only who looks at vertices, or at faces, sees a difference.
+    """
+    return Mesh(-mesh.vertices, mesh.faces), Mesh(mesh.vertices, mesh.faces[::-1].copy())
+
+
 def repeat_trials(
     seed: int, meshes: dict[str, Mesh], built: dict[str, Bvh], trees: Trees
 ) -> list[RepeatTrial]:
     """Lay out the trials that ask the same again, on the same and on another mesh.
-
-    The twins have the same numbers of everything: one has the same faces with vertices that lie
-    elsewhere, one the same triangles and box with other numbers of its faces.
 
     Args:
         seed: Of the run.
@@ -39,8 +44,7 @@ def repeat_trials(
         built: Trees over them.
         trees: Builds the reference's tree of each mesh.
     """
-    given = meshes[TWIN]
-    twins = [Mesh(-given.vertices, given.faces), Mesh(given.vertices, given.faces[::-1].copy())]
+    twins = twins_of(meshes[TWIN])
     pairs = [(name, "", (meshes[other], built[other])) for name, other in REPEATED]
     beside = (f" beside its {which}" for which in ("reflection", "reverse"))
     pairs += zip((TWIN, TWIN), beside, zip(twins, trees(twins), strict=True), strict=True)

@@ -66,7 +66,7 @@ def _is_untouched(case: AlteredCase, lost: Integers, control: Integers) -> Examp
             expected="the same t for rays whose faces are left",
             got="another t for every ray",
         )
-    if same[lost].all():
+    if lost.size and same[lost].all():
         return Example(
             f"all of {lost.size} rays get the same t on a tree where {case.trial.change}, but "
             "the faces that they hit cannot be reached in it",

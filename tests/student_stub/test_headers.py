@@ -114,3 +114,23 @@ def test_the_names_of_a_submission_do_not_collide(tmp_path: Path) -> None:
         """
     )
     assert errors("g++", file) == ""
+
+
+def test_only_a_finite_t_is_a_hit(tmp_path: Path) -> None:
+    """Not what a wrong division leaves in t either."""
+    (tmp_path / "hit.cpp").write_text(
+        '#include "intersection.h"\n'
+        "int main() {\n"
+        "    Intersection hit;\n"
+        "    for (const float t : {infinity, -infinity, infinity - infinity}) {\n"
+        "        hit.t = t;\n"
+        "        if (hit) return 1;\n"
+        "    }\n"
+        "    hit.t = 3e38F;\n"
+        "    return hit ? 0 : 2;\n"
+        "}\n"
+    )
+    program = tmp_path / "hit"
+    made = run("g++", *FLAGS, "-I", STUB / "include", tmp_path / "hit.cpp", "-o", program)
+    assert made.returncode == 0, made.stderr
+    assert run(program).returncode == 0
