@@ -279,7 +279,8 @@ def test_a_large_leaf_above_the_last_level_of_the_large_mesh_is_seen() -> None:
         trial = ConstructTrial("deep", soup(300), sanitized=sanitized)
         evidence = depth_is_limited.decide(DepthCase("deep", trial, left, 6))
         assert evidence.wrong == wrong
-    assert not depth_is_limited.decide(DepthCase("deep", trial, tree, 6)).wrong
+    large = ConstructTrial("deep", soup(300))
+    assert not depth_is_limited.decide(DepthCase("deep", large, tree, 6)).wrong
 
 
 @pytest.mark.parametrize("stop", [each for each in Stop if each is not Stop.FINISHED])
