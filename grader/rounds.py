@@ -13,9 +13,10 @@ from grader.model.trials import AlteredTrial, ImageTrial, Trial, WorkTrial
 from grader.options import Options
 from grader.oracle.plan import deeper_trials, depth_trial
 from grader.run.session import Engine
-from grader.run.trials import LARGE_MESH, Budget, Engines, at_once, part_of, run_trials
+from grader.run.trials import Budget, Engines, at_once, part_of, run_trials
 from grader.solution import Solution
 from grader.summary import Summary
+from grader.tolerances import LARGE_MESH
 from grader.verify.structure import deepest_level, ends_at_the_limit
 
 _RESERVE = 0.15

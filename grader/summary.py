@@ -31,6 +31,7 @@ from grader.tolerances import FACES_PER_LEAF
 from grader.verify.engine import NOTHING, Examiner
 from grader.verify.planned import kinds_of, planned_cases
 from grader.verify.tree import shape
+from grader.verify.work import excludes_most_triangles, unproven
 
 
 class Summary:
@@ -84,9 +85,19 @@ class Summary:
             self._note(case)
             self._notes.note(case)
             found = list(self._examiner.examine([case]))
+            if isinstance(case, SurvivalCase):
+                found += self._unproven(case)
             if isinstance(case, SurvivalCase | ImageCase):
                 found = [_of_scene(each, case.trial) for each in found]
             self._findings += found
+
+    def _unproven(self, case: SurvivalCase) -> list[Finding]:
+        """Judge what a worker that died has left unproven."""
+        evidence = unproven(case)
+        check = excludes_most_triangles
+        if evidence is None or check not in self._selection.checks:
+            return []
+        return [Finding(check.id, case.name, Verdict.FAIL, evidence)]
 
     def _crowded(self, trial: Trial) -> None:
         """Conclude nothing from a worker that had to wait for others than itself."""

@@ -17,9 +17,8 @@ from tests.own_files import ROOT
 DOCUMENTS = [
     ROOT / "README.md",
     ROOT / "CONTRIBUTING.md",
-    ROOT / "docs" / "certificate.md",
-    ROOT / "docs" / "instructor.md",
-    ROOT / "docs" / "student.md",
+    *sorted((ROOT / "docs").glob("*.md")),
+    ROOT / "reference" / "README.md",
     ROOT / "student_stub" / "README.md",
     ROOT / "scenes" / "README.md",
 ]

@@ -133,3 +133,18 @@ def test_no_folder_of_tests_is_passed_over(pytestconfig: pytest.Config) -> None:
     for folder in {path.parent for path in python_files("tests")}:
         for name in folder.relative_to(ROOT).parts:
             assert not [each for each in passed_over if fnmatch(name, each)], folder
+
+
+CATCHERS = 10
+"""Places that catch whatever is raised; CONTRIBUTING.md has each with its reason."""
+
+
+def test_few_places_catch_everything() -> None:
+    """Elsewhere a fault of ours is heard of."""
+    found = [
+        in_checkout(path)
+        for path in python_files("grader")
+        for line in lines(path)
+        if re.search(r"except (?:\(.*\b)?Exception\b", line)
+    ]
+    assert len(found) == CATCHERS, found

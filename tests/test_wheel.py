@@ -110,6 +110,25 @@ def test_the_reference_scores_full_marks(installed: Path, tmp_path: Path) -> Non
     assert (told["score"], told["max_score"], told["needs_review"]) == (50, 50, False)
 
 
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (("scenes", "list"), "dragon"),
+        (("doctor",), "isolation"),
+        (("schema",), "max_score"),
+        (("check", "--only", "build.compiles"), "build.compiles"),
+    ],
+)
+def test_commands_do_their_work(
+    installed: Path, tmp_path: Path, words: Sequence[str], told: str
+) -> None:
+    """Scenes, the compiler, the schema and the checks of a student are all in the wheel."""
+    file = (ask(installed, "resources.reference_source()"),) if words[0] == "check" else ()
+    result = run([installed / "bin" / "bvhgrade", *words, *file], tmp_path)
+    assert result.returncode == 0, result.stdout + result.stderr
+    assert told in result.stdout.lower()
+
+
 def test_every_command_has_a_help(installed: Path, tmp_path: Path) -> None:
     """The command line is complete without a checkout."""
     for command in ("check", "grade", "scenes", "doctor", "schema", "certify"):

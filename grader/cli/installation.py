@@ -3,6 +3,7 @@
 import click
 from click.exceptions import Exit
 
+from grader.cli.progress import shown
 from grader.cli.status import FULL_MARKS, OUR_FAULT
 from grader.report.escape import line_for_terminal
 
@@ -23,7 +24,8 @@ def doctor() -> None:
     """
     from grader.doctor import able, examine
 
-    findings = examine()
+    with shown("trying what grading needs"):
+        findings = examine()
     width = max(len(finding.subject) for finding in findings)
     for finding in findings:
         sign = {True: "ok", False: "missing"}[finding.ok]

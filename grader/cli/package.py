@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from grader.cli.options import rubric_option
+from grader.cli.progress import shown
 from grader.errors import UsageError
 from grader.output import write_bytes_whole
 from grader.report.escape import line_for_terminal
@@ -51,7 +52,8 @@ def package(host: str, output: Path, repository: str | None, **given: Any) -> No
         raise UsageError(f"--repository {repository}: only GitHub's package says it anywhere")
     from grader.package.archive import zipped
 
-    data = zipped(packed(host, repository, given))
+    with shown("packing"):
+        data = zipped(packed(host, repository, given))
     write_bytes_whole(output, data, "name another file with -o")
     click.echo(f"written: {line_for_terminal(str(output))}, {len(data) / 1e6:.1f} MB")
 

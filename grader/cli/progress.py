@@ -35,5 +35,13 @@ def shown_progress() -> Iterator[Progress]:
         yield move
 
 
+@contextmanager
+def shown(work: str) -> Iterator[None]:
+    """Show in a terminal that work of one piece goes on."""
+    with shown_progress() as progress:
+        progress(work, 0, 0)
+        yield
+
+
 def silent(stage: str, done: int, total: int) -> None:
     """Show nothing."""

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import click
 
 from grader.cli.options import language_option
+from grader.cli.progress import shown_progress
 from grader.language import usual_language
 from grader.output import CLASS_PAGE, PAGE, RESULT, VIEWS, write_whole
 from grader.report.escape import line_for_terminal
@@ -34,7 +35,11 @@ def report(folder: Path, language: str | None) -> None:
 
     spoken = language or usual_language()
     paths = result_paths(folder)
-    rows = [page_of(path, folder, spoken) for path in paths]
+    with shown_progress() as progress:
+        rows = []
+        for number, path in enumerate(paths):
+            progress("writing reports", number, len(paths))
+            rows.append(page_of(path, folder, spoken))
     if paths == [folder / RESULT]:
         click.echo(f"written: {line_for_terminal(str(folder / PAGE))}")
         return

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import click
 from click.exceptions import Exit
 
-from grader.cli.progress import shown_progress
+from grader.cli.progress import shown, shown_progress
 from grader.cli.status import FULL_MARKS, OUR_FAULT
 from grader.report.escape import line_for_terminal
 
@@ -39,7 +39,9 @@ def list_command(folder: Path | None) -> None:
     """
     from grader.oracle.album import list_scenes
 
-    tell(list_scenes(folder))
+    with shown("reading scenes"):
+        listed = list_scenes(folder)
+    tell(listed)
 
 
 @scenes.command(name="render")

@@ -6,6 +6,7 @@ import click
 
 from grader import __version__
 from grader.cli.options import language_option
+from grader.cli.progress import shown
 from grader.language import usual_language
 from grader.report.escape import line_for_terminal
 
@@ -34,6 +35,7 @@ def similar(folder: Path, least: int, language: str | None) -> None:
     from grader.similar.alike import write_alike
 
     footer = f"bvhgrade {__version__}, copydetect"
-    path, whole = write_alike(folder, least / 100, footer, language or usual_language())
+    with shown("comparing"):
+        path, whole = write_alike(folder, least / 100, footer, language or usual_language())
     told = f"{whole.files} different files, {whole.alike} pairs from {least} % on"
     click.echo(f"written: {line_for_terminal(str(path))}: {told}")

@@ -42,6 +42,9 @@ class Evidence:
     hidden_by: str = ""
     """Of `examined == 0`: the check whose failure here keeps this one from telling."""
 
+    forfeits: bool = False
+    """Of a failure: whether it costs all points of its check, whatever other cases show."""
+
     too_small: bool = False
     """Of `examined == 0`: whether the case is wrong, but too small to tell in what way."""
 

@@ -27,6 +27,7 @@ from grader.oracle.scenes import folder_sha256, image_trials
 from grader.oracle.spines import DEEPEST, spine_trial
 from grader.oracle.thicket import thicket, thicket_trial
 from grader.oracle.tracing import deepest_tree, sample, traced
+from grader.oracle.witness import contradictions
 from grader.oracle.work import Trees, work_trials
 from grader.tolerances import MAX_DEPTH
 
@@ -171,7 +172,7 @@ def drawn(seed: int, trees: Trees) -> Drawn:
     """
     meshes = dict(construct_meshes(seed))
     built = dict(zip(TRACED, trees([meshes[name] for name in TRACED]), strict=True))
-    made = [
+    tracing = [
         traced(
             Request(seed, name, special, count=200),
             meshes[name],
@@ -180,7 +181,6 @@ def drawn(seed: int, trees: Trees) -> Drawn:
         for name in TRACED
         for special in (False, True)
     ]
-    tracing = [each.trial for each in made]
     first: tuple[Trial, ...] = (
         *_construct_trials(meshes),
         *_altered(seed, meshes, built),
@@ -190,8 +190,8 @@ def drawn(seed: int, trees: Trees) -> Drawn:
         *_thicket_trials(seed, trees),
         *_sampled(tracing),
     )
-    faults = tuple((each.trial.name, each.fault) for each in made if each.fault)
-    return Drawn(first, tuple(repeat_trials(seed, meshes, built, trees)), faults)
+    repeats = tuple(repeat_trials(seed, meshes, built, trees))
+    return Drawn(first, repeats, tuple(contradictions((*first, *repeats))))
 
 
 def deeper_trials(seed: int) -> list[TraceTrial]:

@@ -1,14 +1,12 @@
-"""What are the rays and answers of one mesh? Drawn, answered and witnessed."""
+"""What are the rays and answers of one mesh? Drawn and answered."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
-from grader.model.mesh import Answers, Bvh, Floats, Integers, Mesh
+from grader.model.mesh import Answers, Bvh, Integers, Mesh
 from grader.model.trials import ImageTrial, TraceTrial
 from grader.oracle.brute import NOTHING, answers, chosen, nearest
-from grader.oracle.embree import contradicted, embree_t
 from grader.oracle.rays import Request, families_of, rays_on
 
 DEEPEST_STEP = 701
@@ -17,19 +15,10 @@ DEEPEST_STEP = 701
 KIND = {False: "ordinary rays", True: "special rays"}
 
 
-@dataclass(frozen=True, slots=True)
-class Traced:
-    """A trial, and what is wrong with its answers."""
-
-    trial: TraceTrial
-    fault: str
-    """Empty if Embree agrees; otherwise what it contradicts."""
-
-
-def traced(request: Request, mesh: Mesh, tree: Bvh) -> Traced:
+def traced(request: Request, mesh: Mesh, tree: Bvh) -> TraceTrial:
     """Make the trial of one mesh and one kind of rays."""
     family = rays_on(request, mesh, tree)
-    trial = TraceTrial(
+    return TraceTrial(
         name=f"{request.mesh}, {KIND[request.special]}",
         mesh=mesh,
         tree=tree,
@@ -38,22 +27,6 @@ def traced(request: Request, mesh: Mesh, tree: Bvh) -> Traced:
         families=families_of(request, mesh),
         family=family.index,
         special=request.special,
-    )
-    theirs = embree_t(mesh, family.rays)
-    wrong = np.flatnonzero(contradicted(family.rays, trial.answers, theirs))
-    return Traced(trial, _fault(trial, wrong, theirs[wrong]))
-
-
-def _fault(trial: TraceTrial, wrong: Integers, embree: Floats) -> str:
-    """Word a contradiction between the rule and Embree."""
-    if wrong.size == 0:
-        return ""
-    ray = int(wrong[0])
-    family = trial.families[trial.family[ray]]
-    return (
-        f"{trial.name}: the rule of closest hits and Embree contradict each other on "
-        f"{wrong.size} clear rays; the first is ray {ray} ({family}), where the rule says at "
-        f"most t = {trial.answers.limit[ray]:.9g} and Embree {embree[0]:.9g}"
     )
 
 

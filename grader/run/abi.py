@@ -1,4 +1,4 @@
-"""How the C functions of a compiled submission are called: mirrors exercise03_abi.h.
+"""How does a worker call a compiled submission? By these functions of exercise03_abi.h.
 
 Used inside the worker, so it uses the standard library only.
 """

@@ -13,9 +13,8 @@ from grader.model.stages import Ending, Further, Stop
 from grader.model.trials import ConstructTrial, RebuildTrial, RepeatTrial, TraceTrial, Trial
 from grader.run.requests import request
 from grader.run.session import Allowance, Engine, run_job
-
-LARGE_MESH = 20_000
-"""Meshes of more faces than this get the rubric's larger limit of time."""
+from grader.run.turns import Turns
+from grader.tolerances import LARGE_MESH
 
 HUGE_MESH = 1_000_000
 """Beyond this the time limit grows with the faces."""
@@ -154,8 +153,9 @@ def run_trials(
 ) -> Iterable[tuple[Case, ...]]:
     """Run every trial in a process of its own; yields their cases in the order of `trials`."""
     runnable = [trial for trial in trials if engines.of(trial)]
+    turns = Turns()
     with ThreadPoolExecutor(at_once()) as pool:
-        futures = [pool.submit(_run, trial, engines, budget) for trial in runnable]
+        futures = [pool.submit(_run, trial, engines, budget, turns) for trial in runnable]
         try:
             for number, future in enumerate(futures):
                 progress(number, len(futures))
@@ -165,7 +165,21 @@ def run_trials(
                 future.cancel()
 
 
-def _run(trial: Trial, engines: Engines, budget: Budget) -> tuple[Case, ...]:
+def _run(trial: Trial, engines: Engines, budget: Budget, turns: Turns) -> tuple[Case, ...]:
+    """Run a trial; once more and alone if it had to wait too long.
+
+    For whom it waited may have been the other worker of the same submission.
+    """
+    with turns.shared():
+        cases = _tried(trial, engines, budget)
+    ends = [case.ending for case in cases if isinstance(case, SurvivalCase | MemoryCase)]
+    if not any(ending.crowded for ending in ends):
+        return cases
+    with turns.alone():
+        return _tried(trial, engines, budget)
+
+
+def _tried(trial: Trial, engines: Engines, budget: Budget) -> tuple[Case, ...]:
     engine = engines.of(trial)
     if engine is None:
         return ()

@@ -1,9 +1,9 @@
 """How many points does each check and each part earn, and what is the student told?
 
 Theory of operation: a criterion earns points x passed / max(examined, planned / 2), rounded
-down to quarters. A gate that passes nowhere takes the points of its part, and the gate of both
-parts those of both. Our own fault counts in the student's favour here, and `final_score`
-withholds the sum, so that nobody mistakes it for a grade.
+down to quarters; nothing, if a case forfeits them. A gate that passes nowhere takes the points
+of its part, and the gate of both parts those of both. Our own fault counts in the student's
+favour here, and `final_score` withholds the sum, so that nobody mistakes it for a grade.
 """
 
 from collections.abc import Collection, Iterable, Mapping, Sequence

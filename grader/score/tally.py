@@ -46,6 +46,8 @@ class Tally:
     @property
     def share(self) -> Fraction:
         """What is earned, from 0 to 1; the undecided cases count in favour."""
+        if any(one.evidence.forfeits for one in self.failed):
+            return Fraction(0)
         of = max(_weight(self.every), Fraction(self.planned) / 2)
         return _weight((*self.passed, *self.undecided)) / of if of else Fraction(0)
 

@@ -2,10 +2,12 @@
 
 import numpy as np
 
-from grader.model.cases import AlteredCase, WorkCase
+from grader.model.cases import AlteredCase, SurvivalCase, WorkCase
 from grader.model.mesh import Integers, Mask
+from grader.model.stages import Stop
+from grader.model.trials import WorkTrial
 from grader.model.verdict import Evidence, Example
-from grader.tolerances import SLOWEST, SPECIAL_WASTE, START_SECONDS, WASTE
+from grader.tolerances import FORFEIT, LARGE_MESH, SLOWEST, SPECIAL_WASTE, START_SECONDS, WASTE
 from grader.verify.check import check, judged, one, vector
 from grader.verify.closest import judge
 
@@ -47,7 +49,28 @@ def excludes_most_triangles(case: WorkCase) -> Evidence:
         examined=case.hits.t.size,
         wrong=case.hits.t.size if examples else 0,
         examples=tuple(examples),
+        forfeits=bool(wasteful) and _excludes_nothing(case),
     )
+
+
+def unproven(case: SurvivalCase) -> Evidence | None:
+    """Judge who does not come back from the large mesh: without it no growth is seen.
+
+    Otherwise a submission that tests all faces, fast enough for small meshes, had only to die.
+    """
+    trial = case.trial
+    if case.ending.stop is Stop.FINISHED or not isinstance(trial, WorkTrial):
+        return None
+    faces = len(trial.mesh.faces)
+    if faces <= LARGE_MESH:
+        return None
+    example = Example(
+        f"no answer on {faces:,} faces: nothing shows that most of them are "
+        "excluded, which costs all points",
+        expected="an answer for every ray",
+        got="none",
+    )
+    return Evidence(1, 1, (example,), case.ending.stop, forfeits=True)
 
 
 def _is_untouched(case: AlteredCase, lost: Integers, control: Integers) -> Example | None:
@@ -94,17 +117,29 @@ def _example(case: AlteredCase, ray: int) -> Example:
     )
 
 
+def _tests(case: WorkCase) -> float:
+    """Return how many boxes and triangles are tested for a ray, on average."""
+    return case.box_tests + case.triangle_tests
+
+
+def _excludes_nothing(case: WorkCase) -> bool:
+    """Tell whether the tests are so many that the check is worth no point at all."""
+    return _tests(case) > FORFEIT * len(case.trial.mesh.faces)
+
+
 def _wasteful(case: WorkCase) -> Example | None:
     """Compare the counted tests with a plain traversal's."""
-    tests = case.box_tests + case.triangle_tests
+    tests = _tests(case)
     plain = case.trial.box_tests + case.trial.triangle_tests
     allowed = (SPECIAL_WASTE if case.trial.special else WASTE) * plain
     if tests <= allowed:
         return None
+    faces = len(case.trial.mesh.faces)
+    far = [f"; a twentieth of {faces:,} faces costs all points"] * _excludes_nothing(case)
     return Example(
         f"a ray takes {case.box_tests:.1f} box tests and {case.triangle_tests:.1f} triangle "
         f"tests on average, but a plain traversal takes "
-        f"{case.trial.box_tests:.1f} and {case.trial.triangle_tests:.1f}",
+        f"{case.trial.box_tests:.1f} and {case.trial.triangle_tests:.1f}{''.join(far)}",
         expected=f"at most {allowed:.0f} tests per ray",
         got=f"{tests:.0f} tests per ray",
     )

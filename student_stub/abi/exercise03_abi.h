@@ -10,7 +10,9 @@
  *   hit     point 3 floats, t, normal 3 floats
  *   step    kind of test, 1 if it hit, node or EX03_NO_NODE (uint32), t, t_min, t_max of the ray
  *           as it was tested, 9 floats: box minimum and maximum, or the triangle's corners
- * Functions that copy write at most `capacity` items and return the true number of items. */
+ * Functions that copy write at most `capacity` items and return the true number of items.
+ * A submission may write into whatever it is given, so meshes and trees are copied once on the
+ * way in; rays and hits are not copied, and trees and counters can be read where they lie. */
 
 #include <stdint.h>
 

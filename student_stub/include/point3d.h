@@ -46,8 +46,11 @@ using Vector3D = Point3D;
 using Normal3D = Point3D;
 using Vertex = Point3D;
 
-inline Point3D operator*(float s, const Point3D& a) {
-    return a * s;
+// A template, so that it steps back where a submission defines an operator of its own.
+template <typename Scalar>
+    requires std::is_arithmetic_v<Scalar>
+Point3D operator*(Scalar s, const Point3D& a) {
+    return a * static_cast<float>(s);
 }
 
 inline float dot(const Vector3D& a, const Vector3D& b) {

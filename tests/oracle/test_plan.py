@@ -17,7 +17,7 @@ from grader.model.trials import (
     WorkTrial,
 )
 from grader.oracle import plan as module
-from grader.oracle import repeated, tracing, work
+from grader.oracle import repeated, witness, work
 from grader.oracle.hierarchy import leaves_of
 from grader.oracle.meshes import SHAPES
 from grader.oracle.plan import Plan, kept_plan, make_plan
@@ -161,8 +161,10 @@ def test_trees_come_in_both_legal_forms() -> None:
 def test_a_contradiction_of_the_witnesses_is_our_fault(monkeypatch: pytest.MonkeyPatch) -> None:
     """If Embree disagreed, the plan would name the trial and the first ray."""
     monkeypatch.setattr(
-        tracing, "embree_t", lambda _, rays: np.full(len(rays.t_min), 0.5, np.float32)
+        witness, "embree_t", lambda _, rays: np.full(len(rays.t_min), 0.5, np.float32)
     )
-    faults = dict(make_plan(5, trees).faults)
-    assert "terrain-1200, ordinary rays" in faults
+    plan = make_plan(5, trees)
+    faults = dict(plan.faults)
     assert "contradict each other" in faults["terrain-1200, ordinary rays"]
+    kinds = {type(trial) for trial in plan.trials if trial.name in faults}
+    assert kinds == {TraceTrial, AlteredTrial, RepeatTrial}

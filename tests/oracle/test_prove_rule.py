@@ -35,7 +35,7 @@ def test_every_combination_has_its_turn() -> None:
 def one_trial() -> TraceTrial:
     """Draw ordinary rays of one mesh."""
     mesh, tree = planted("terrain-600")
-    return traced(Request(3, "terrain-600", False, 20), mesh, tree).trial
+    return traced(Request(3, "terrain-600", False, 20), mesh, tree)
 
 
 def test_a_reject_is_counted_and_named() -> None:

@@ -217,3 +217,11 @@ def test_a_dropped_criterion_is_not_reported() -> None:
     checks = [(one.check, "title") for one in reversed(full.criteria)]
     scores = score_checks(rubric(), checks, [], {}, STARTED)
     assert [one.check for one in scores] == [SURVIVES, BOXES, READABLE]
+
+
+def test_a_case_may_forfeit_all_points() -> None:
+    """Seven cases of eight are right, and the eighth leaves nothing of them."""
+    *right, wrong = found(BOXES, "PPPPPPPF")
+    evidence = replace(wrong.evidence, forfeits=True)
+    score = scored([*right, replace(wrong, evidence=evidence)], 8)
+    assert (score.verdict, score.score) == (Verdict.FAIL, 0.0)

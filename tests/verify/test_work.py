@@ -135,3 +135,19 @@ def test_measured_seconds_are_not_told() -> None:
     """Two runs with the same seed give the same report."""
     (example,) = excludes_most_triangles.decide(work(0, 0, 7.654321)).examples
     assert "7." not in example.message + example.got + example.expected
+
+
+@pytest.mark.parametrize(
+    ("case", "forfeits"),
+    [
+        (work(0, 280, 0.1), False),
+        (work(20, 281, 0.1), True),
+        (work(600, 10, 0.1), True),
+        (work(0, 0, 9.0), False),
+    ],
+)
+def test_a_twentieth_of_the_faces_costs_all_points(case: WorkCase, forfeits: bool) -> None:
+    """Of 600 faces 30 are a twentieth, but what a plain traversal takes is always allowed."""
+    evidence = excludes_most_triangles.decide(case)
+    assert evidence.forfeits is forfeits
+    assert ("costs all points" in "".join(one.message for one in evidence.examples)) is forfeits
