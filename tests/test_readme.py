@@ -34,6 +34,8 @@ MADE_BY_A_COMMAND = (
     "grader-repository/",
     "assignment-repository/",
     "similar.html",
+    # Of a class.
+    "students/NAME/",
 )
 
 
@@ -92,6 +94,15 @@ def assert_foreign(program: str, arguments: list[str]) -> None:
         named = re.findall(r"bvhgrade\[(\w+)\]", " ".join(arguments))
         assert set(named) <= set(project["optional-dependencies"])
         assert arguments[0] == ("install" if named else "download")
+    elif program == "python":
+        # A module of the tests, run as a script.
+        assert arguments[0] == "-m"
+        file = ROOT / f"{arguments[1].replace('.', '/')}.py"
+        options = [word for word in arguments if word.startswith("--")]
+        assert all(f'"{option}"' in file.read_text() for option in options)
+    elif program == "dask":
+        # Its own options are those of another project.
+        assert arguments[0] in {"scheduler", "worker"}
     elif program == "unzip":
         # Of a package that the line before made; its names are those of the kit.
         assert "bvhgrade/constraints.txt" in arguments
@@ -138,6 +149,7 @@ def test_every_path_exists(document: Path) -> None:
             "",
             "student_stub",
             "grader",
+            "grader/sandbox",
             "tests/submissions",
             document.parent,
         ]

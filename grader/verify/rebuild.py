@@ -35,7 +35,10 @@ def rebuild_starts_afresh(case: RebuildCase) -> Evidence:
     known = {id(first): _flaws(first, built), id(second): _flaws(second, case.alone)}
     for label, mesh, bvh in case.trees[1:]:
         key = id(mesh)
-        difference = _difference(mesh, fresh[key], bvh) or _new_flaw(mesh, bvh, known[key])
+        sound = not known[key] and not unreadable(mesh, fresh[key])
+        difference = _difference(mesh, fresh[key], bvh, sound) or _new_flaw(
+            mesh, bvh, known[key]
+        )
         if difference:
             wanted = "the tree that the first call builds"
             return one(Example(f"{label}: {difference}", wanted, difference))
@@ -48,11 +51,19 @@ def _same_mesh(a: Mesh, b: Mesh) -> bool:
     )
 
 
-def _difference(mesh: Mesh, fresh: Bvh, later: Bvh) -> str:
-    """Say how a later tree differs from a fresh one, `` if only the order of ties does."""
+def _difference(mesh: Mesh, fresh: Bvh, later: Bvh, sound: bool) -> str:
+    """Say how a later tree differs from a fresh one, `` if only the order of ties does.
+
+    Nor does it matter on which side an odd face is, if the fresh one is `sound`: then whatever
+    is wrong with the later one is a flaw.
+    """
     flaw = unreadable(mesh, later)
     if flaw and not unreadable(mesh, fresh):
         return flaw.message
+    if not np.array_equal(np.sort(later.order), np.sort(fresh.order)):
+        return "faceIndices does not hold the same faces as in a new tree"
+    if sound:
+        return ""
     mine, yours = shape(later), shape(fresh)
     if not np.array_equal(mine.reached, yours.reached):
         return (
@@ -63,8 +74,6 @@ def _difference(mesh: Mesh, fresh: Bvh, later: Bvh) -> str:
         later.end[used] != fresh.end[used]
     ).any():
         return "the nodes' ranges are not those of a new tree"
-    if not np.array_equal(np.sort(later.order), np.sort(fresh.order)):
-        return "faceIndices does not hold the same faces as in a new tree"
     return ""
 
 

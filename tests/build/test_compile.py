@@ -1,5 +1,7 @@
 """Sources that compile, and sources that do not, with every compiler that is installed here."""
 
+import json
+import subprocess
 from dataclasses import replace
 from pathlib import Path
 
@@ -89,6 +91,22 @@ def test_a_given_function_cannot_be_replaced(compiled: Compile, compiler: str) -
     assert error.text.startswith("link: multiple definition of ")
     assert "AABB::extents() const" in error.text
     assert "/" not in error.text
+
+
+def test_an_object_within_an_assembler_statement_is_not_compiled(
+    compiled: Compile, tmp_path: Path
+) -> None:
+    """Link-time optimisation would start compilers, as many as the object asks for."""
+    file = tmp_path / "hidden.cpp"
+    file.write_text('extern "C" int hidden(int x) { return 3 * x; }\n')
+    made = ["g++", "-O2", "-fPIC", "-flto", "-fno-fat-lto-objects", "-S", "-o", "-", str(file)]
+    listing = subprocess.run(made, check=True, capture_output=True, text=True).stdout
+    assert ".gnu.lto_.opts" in listing
+    text = "".join(f"{json.dumps(line + chr(10))}\n" for line in listing.splitlines())
+    uses = 'extern "C" int hidden(int);\nint used = hidden(2);\n'
+    build = compiled(f"{BEGIN}{CONSTRUCT}{INTERSECT}asm({text});\n{uses}")
+    (error,) = errors(build)
+    assert "hidden" in error.text
 
 
 def test_a_function_that_is_nowhere_is_named(compiled: Compile) -> None:

@@ -103,6 +103,8 @@ def test_the_names_of_a_submission_do_not_collide(tmp_path: Path) -> None:
         Intersection intersect(const Mesh& m, const BVH::Node&, const IntersectionRay& r) {
             return intersect(m, r);
         }
+        Point3D operator*(float s, const Point3D& p) { return p * s; }
+        Point3D twice(const Point3D& p) { return 2.0F * p + 2 * p + 2.0 * p; }
         struct Access {};
         struct Counters {};
         Access counters;

@@ -36,15 +36,37 @@ def test_the_same_trees_again_are_fresh() -> None:
     assert rebuilt(third=build(MESH, Reading(slots=9))).wrong == 0
 
 
+@pytest.mark.parametrize("seed", range(3))
+def test_an_odd_face_may_be_elsewhere(seed: int) -> None:
+    """Both sides are right, for every node and every call."""
+    assert rebuilt(third=build(MESH, Reading(free=seed))).wrong == 0
+
+
+@pytest.mark.parametrize(
+    ("known", "later", "text"),
+    [
+        (Reading(leaf=12), Reading(shift=1), "second: 7 nodes are in use, but 1 in a new tree"),
+        (Reading(shift=1), Reading(), "second: the nodes' ranges are not those of a new tree"),
+    ],
+)
+def test_a_tree_that_is_always_wrong_is_the_same_again(
+    known: Reading, later: Reading, text: str
+) -> None:
+    """Where the fresh tree is no right one, every difference counts."""
+    wrong = build(OTHER, known)
+    evidence = rebuilt(alone=wrong, other_tree=wrong, second=build(OTHER, later))
+    assert evidence.examples[0].message.startswith(text)
+
+
 @pytest.mark.parametrize(
     ("tree", "text"),
     [
         (altered(build(OTHER), order=[*build(OTHER).order, 0]), "second: faceIndices does not"),
         (altered(build(OTHER), order=[]), "second: faceIndices has 0 entries"),
-        (build(OTHER, Reading(leaf=12)), "second: 1 nodes are in use, but 7 in a new tree"),
-        (build(OTHER, Reading(shift=1)), "second: the nodes' ranges are not those"),
-        (changed(build(OTHER), "end", 6, 11), "second: the nodes' ranges are not those"),
-        (changed(build(OTHER), "begin", 6, 10), "second: the nodes' ranges are not those"),
+        (build(OTHER, Reading(leaf=12)), "second: node 0 holds 12 faces and is a leaf"),
+        (build(OTHER, Reading(shift=1)), "second: node 0 is divided into 7 and 5 faces"),
+        (changed(build(OTHER), "end", 6, 11), "second: node 2 holds [6, 12), but its children"),
+        (changed(build(OTHER), "begin", 6, 10), "second: node 2 holds [6, 12), but its"),
     ],
 )
 def test_what_is_left_of_the_first_call_is_named(tree: Bvh, text: str) -> None:
