@@ -3,10 +3,6 @@
 A student is known by the name of the folder that holds `result.json`, which the course chose or
 the platform gave when it packed all submissions. What stands inside of a result says nothing
 about that: a submission's own name is the student's to choose.
-
-Source of the two names of folders: Moodle, mod/assign/locallib.php (`Ada Lovelace_123_
-assignsubmission_file`, 123 being what the worksheet calls Participant 123), and Canvas's
-"Download Submissions" (`lovelaceada_LATE_9001_55_exercise03`, 9001 being the user's ID).
 """
 
 import json
@@ -19,6 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from grader.errors import UsageError
+from grader.gradebook.marks import moodle_mark
 from grader.output import RESULT, STORE, STUDENT, STUDENTS
 from grader.plain import one_line
 from grader.report.as_json import SCHEMA_VERSION, Json, schema_text
@@ -30,7 +27,6 @@ LARGEST_NAMES = 1 << 16
 USUAL_OUTPUT = "bvhgrade-out"
 """Where `bvhgrade grade` writes by itself; the folder above it is the student's then."""
 
-_MOODLE = re.compile(r"(?P<full_name>.+?)_(?P<participant>\d+)_assignsubmission_")
 _CANVAS = re.compile(r"[^\W_]+_(?:LATE_)?(?P<canvas>\d+)_\d+_", re.IGNORECASE)
 LONGEST_PLACE = 80
 _READ = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC
@@ -123,8 +119,8 @@ def ids_of(name: str) -> Ids:
 
     Only its beginning counts: a platform appends the file's name, and that is a stranger's.
     """
-    if found := _MOODLE.match(name):
-        return Ids(participant=found["participant"], full_name=found["full_name"])
+    if mark := moodle_mark(name):
+        return Ids(participant=mark.participant, full_name=mark.full_name)
     if found := _CANVAS.match(name):
         return Ids(canvas=found["canvas"])
     return Ids(account=name, canvas=name if name.isdecimal() else "", full_name=name)

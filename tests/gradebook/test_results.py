@@ -68,6 +68,7 @@ def test_no_link_is_followed(tmp_path: Path) -> None:
             Ids(participant="101", full_name="Ada Lovelace"),
         ),
         ("lovelaceada_9001_55_exercise03", Ids(canvas="9001")),
+        ("lovelaceada_9001_55_a_1_assignsubmission_file_x", Ids(canvas="9001")),
         ("lovelaceada_LATE_9001_55_x_9002_56_y", Ids(canvas="9001")),
         ("ada@uni.example", Ids(account="ada@uni.example", full_name="ada@uni.example")),
         ("9001", Ids(account="9001", canvas="9001", full_name="9001")),
