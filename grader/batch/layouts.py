@@ -17,14 +17,13 @@ from itertools import chain
 
 from grader.batch.gradescope import METADATA, Submitter, submitters
 from grader.batch.sources import Item, Source, notes
-from grader.gradebook.marks import moodle_mark
+from grader.gradebook.marks import HANDED_IN, moodle_mark
 from grader.intake.candidates import Entry
 
 _CANVAS = re.compile(r"(.+?)(?:_LATE)?_(\d+)_(\d+)_(.+)", re.DOTALL)
 _CANVAS_ANONYMOUS = re.compile(r"(?:LATE_)?(anon_([A-Za-z0-9]+))_(\d+)_(.+)", re.DOTALL)
 _CANVAS_COPY = re.compile(r"(exercise03)-\d+(\.cpp)")
 _GITHUB = "-submissions"
-_HANDED_IN = (".cpp", ".cc", ".cxx", ".zip", ".tar", ".tar.gz", ".tgz")
 
 
 @dataclass(frozen=True, slots=True)
@@ -133,17 +132,17 @@ def _is_wrapper(inner: Source) -> bool:
 def _holds_source(source: Source, item: Item) -> bool:
     if not item.is_folder:
         return True
-    return any(entry.path.lower().endswith(_HANDED_IN) for entry in source.entries(item.name))
+    return any(entry.path.lower().endswith(HANDED_IN) for entry in source.entries(item.name))
 
 
 def _is_own(item: Item) -> bool:
-    return item.is_folder or item.name.lower().endswith(_HANDED_IN)
+    return item.is_folder or item.name.lower().endswith(HANDED_IN)
 
 
 def _stem(item: Item) -> str:
     if item.is_folder:
         return item.name
-    ending = max((e for e in _HANDED_IN if item.name.lower().endswith(e)), key=len)
+    ending = max((e for e in HANDED_IN if item.name.lower().endswith(e)), key=len)
     return item.name[: len(item.name) - len(ending)] or item.name
 
 

@@ -14,6 +14,9 @@ _MOODLE = re.compile(
 )
 _OF_CANVAS = re.compile(r"_\d+_\d+_|^(?:LATE_)?anon_[A-Za-z0-9]+_\d+_")
 
+HANDED_IN = (".cpp", ".cc", ".cxx", ".zip", ".tar", ".tar.gz", ".tgz")
+"""How the name of a file may end that somebody handed in; none of the grader's own does."""
+
 
 @dataclass(frozen=True, slots=True)
 class Mark:
