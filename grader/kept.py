@@ -12,7 +12,7 @@ from pathlib import Path
 
 from grader.errors import OutputFault, let_go
 from grader.model.grade import Grade
-from grader.output import PAGE, RESULT, VIEWS, ready, write_whole
+from grader.output import PAGE, RESULT, VIEWS, ready, refuse_link, write_whole
 from grader.report.as_json import Json, to_text
 from grader.report.facts import FOLDER, counterexample_file, remarked
 
@@ -77,6 +77,8 @@ def write_result(folder: Path, result: Result, language: str) -> Path:
         UsageError: The folder cannot be used.
         OutputFault: Something could not be written.
     """
+    refuse_link(folder)
+    refuse_link(folder / FOLDER)
     told: Json = json.loads(result.text)
     attached = dict(result.attachments)
     names = [VIEWS, *(counterexample_file(one["id"]) for one in told["checks"])]

@@ -22,13 +22,19 @@ STUDENT = "student.json"
 """Whose folder it is, where a whole class was graded."""
 
 
-def ready(folder: Path, name: str = RESULT) -> Path:
+def ready(folder: Path, name: str = RESULT, submission: Path | None = None) -> Path:
     """Create an output folder and prove that a result can be written into it.
+
+    Args:
+        folder: Where the result goes.
+        name: Of the file that will be written.
+        submission: What is graded, if the folder may lie within it or beside it.
 
     Raises:
         UsageError: It cannot be, so grading need not start.
     """
     try:
+        refuse_link(folder, submission)
         folder.mkdir(parents=True, exist_ok=True)
         if (folder / name).is_dir():
             raise UsageError(f"{folder / name} is a folder, but the result goes there.")
@@ -41,6 +47,29 @@ def ready(folder: Path, name: str = RESULT) -> Path:
             f"{folder}: {reason}, but the result goes there; name another folder with -o."
         ) from fault
     return folder
+
+
+def refuse_link(folder: Path, submission: Path | None = None) -> None:
+    """Refuse an output folder that is a link: a submission could have brought it.
+
+    It would lead into somebody else's folder. Of the folders above, those that hold the
+    submission as well are the user's own, and all if nothing but the root holds both.
+
+    Raises:
+        UsageError: It is one, or lies behind one.
+    """
+    own = folder.absolute()
+    near = own.parent if submission is None else submission.absolute()
+    if own.parts[:2] != near.parts[:2]:
+        near = own.parent
+    for part in (own, *own.parents):
+        if part in (near, *near.parents):
+            return
+        if part.is_symlink():
+            raise UsageError(
+                f"{part} is a link, which a submission could have brought, and nothing is "
+                "written through it; name the folder that it leads to with -o, or remove it."
+            )
 
 
 def write_whole(path: Path, text: str) -> None:
@@ -58,7 +87,7 @@ def write_bytes_whole(path: Path, data: bytes, remedy: str) -> None:
     try:
         with unfinished.open("xb") as file:
             file.write(data)
-        if path.exists():
+        if path.exists() and not path.is_symlink():
             # Who may read a gradebook stays as it was.
             unfinished.chmod(path.stat().st_mode & 0o777)
         unfinished.replace(path)

@@ -5,23 +5,25 @@ Canvas' lib/content_zipper.rb, `get_filename` and `add_upload_submission`
 (`NAME[_LATE]_USER_ATTACHMENT_FILE`); an export of Gradescope, which holds folders and
 `submission_metadata.yml`; `gh classroom clone student-repos`, which makes a folder
 `ASSIGNMENT-submissions` with one `ASSIGNMENT-LOGIN` for each student.
+
+The name of one student's file must not decide about others: a layout is one that all have, and
+what is not taken for a submission is listed.
 """
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import chain
 
 from grader.batch.gradescope import METADATA, Submitter, submitters
 from grader.batch.sources import Item, Source, notes
+from grader.gradebook.marks import HANDED_IN, moodle_mark
 from grader.intake.candidates import Entry
 
-_MOODLE = re.compile(r"(.+)_(\d+)_assignsubmission_([a-z]+)(?:_(.*))?", re.DOTALL)
 _CANVAS = re.compile(r"(.+?)(?:_LATE)?_(\d+)_(\d+)_(.+)", re.DOTALL)
 _CANVAS_ANONYMOUS = re.compile(r"(?:LATE_)?(anon_([A-Za-z0-9]+))_(\d+)_(.+)", re.DOTALL)
 _CANVAS_COPY = re.compile(r"(exercise03)-\d+(\.cpp)")
 _GITHUB = "-submissions"
-_HANDED_IN = (".cpp", ".cc", ".cxx", ".zip", ".tar", ".tar.gz", ".tgz")
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,21 +81,43 @@ def arranged(source: Source, name: str) -> Arrangement:
         name: Of its folder or zip.
     """
     items = source.items()
-    if len(items) == 1 and items[0].is_folder and _is_wrapper(source.within(items[0].name)):
-        return arranged(source.within(items[0].name), items[0].name)
-    names = [item.name for item in items]
-    if METADATA in names:
-        return Arrangement("Gradescope", source, list(_gradescope(source, items)))
+    results = [one for one in items if _is_of_results(source, one)]
+    members = [one for one in items if one not in results]
+    if len(members) == 1 and members[0].is_folder:
+        inner = source.within(members[0].name)
+        if _is_wrapper(inner):
+            found = arranged(inner, members[0].name)
+            return replace(found, others=(*found.others, *(one.name for one in results)))
+    layout, places = _arranged(source, members, name.removesuffix(".zip"))
+    taken = {member.item for place in places for member in place.members} | {METADATA}
+    if layout == "Moodle":
+        # A remark beside a file is its student's.
+        taken |= {one.name for one in items if moodle_mark(one.name)}
+    others = tuple(one.name for one in items if one.name not in taken)
+    return Arrangement(layout, source, places, others)
+
+
+def _arranged(source: Source, items: Sequence[Item], stem: str) -> tuple[str, list[Place]]:
+    """Find the layout, and whose is what."""
+    if METADATA in [item.name for item in items]:
+        return "Gradescope", list(_gradescope(source, items))
     for layout, read in (("Moodle", _moodle), ("Canvas", _canvas)):
         if places := read(items):
-            return Arrangement(layout, source, places)
-    stem = name.removesuffix(".zip")
+            return layout, places
     prefix = stem.removesuffix(_GITHUB) + "-" if stem.endswith(_GITHUB) else ""
     if prefix and all(one.name.startswith(prefix) for one in items if one.is_folder):
-        return Arrangement("GitHub Classroom", source, list(_github(items, prefix)))
-    places = [Place(one.name, _stem(one), (Member(one.name),)) for one in items if _is_own(one)]
-    others = tuple(one.name for one in items if not _is_own(one))
-    return Arrangement("plain", source, places, others)
+        return "GitHub Classroom", list(_github(items, prefix))
+    own = (one for one in items if _is_own(one))
+    return "plain", [Place(one.name, _stem(one), (Member(one.name),)) for one in own]
+
+
+def _is_of_results(source: Source, item: Item) -> bool:
+    """It is what `batch -o` wrote: there is a store, and nothing that anybody handed in."""
+    try:
+        return item.holds_store and not _holds_source(source, item)
+    except OSError:
+        # Whoever reads it as a submission tells what is wrong with it.
+        return False
 
 
 def _is_wrapper(inner: Source) -> bool:
@@ -108,27 +132,30 @@ def _is_wrapper(inner: Source) -> bool:
 def _holds_source(source: Source, item: Item) -> bool:
     if not item.is_folder:
         return True
-    return any(entry.path.lower().endswith(_HANDED_IN) for entry in source.entries(item.name))
+    return any(entry.path.lower().endswith(HANDED_IN) for entry in source.entries(item.name))
 
 
 def _is_own(item: Item) -> bool:
-    return item.is_folder or item.name.lower().endswith(_HANDED_IN)
+    return item.is_folder or item.name.lower().endswith(HANDED_IN)
 
 
 def _stem(item: Item) -> str:
     if item.is_folder:
         return item.name
-    ending = max((e for e in _HANDED_IN if item.name.lower().endswith(e)), key=len)
+    ending = max((e for e in HANDED_IN if item.name.lower().endswith(e)), key=len)
     return item.name[: len(item.name) - len(ending)] or item.name
 
 
 def _moodle(items: Sequence[Item]) -> list[Place]:
+    """One file to grade, or one folder, without this mark shows that it is no such download."""
     found: dict[tuple[str, str], dict[str, list[Member]]] = {}
     for item in items:
-        if match := _MOODLE.fullmatch(item.name):
-            name, id, plugin, file = match.groups()
-            member = Member(item.name, "" if item.is_folder else file or "")
-            found.setdefault((name, id), {}).setdefault(plugin, []).append(member)
+        if mark := moodle_mark(item.name):
+            member = Member(item.name, "" if item.is_folder else mark.file)
+            plugins = found.setdefault((mark.full_name, mark.participant), {})
+            plugins.setdefault(mark.plugin, []).append(member)
+        elif _is_own(item):
+            return []
     return [
         # What was typed beside a file is a remark and no submission.
         Place(f"{name}_{id}", name, tuple(plugins.get("file") or chain(*plugins.values())), id)

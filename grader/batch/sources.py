@@ -39,6 +39,8 @@ class Item:
     """As a stranger named it."""
 
     is_folder: bool
+    holds_store: bool = False
+    """Whether a file in it is called like the store of a class; anybody can do that."""
 
 
 class Source(Protocol):
@@ -74,8 +76,8 @@ class ClassFolder:
         try:
             with os.scandir(self.folder) as listed:
                 for each in listed:
-                    if not is_junk(each.name) and not (Path(each.path) / STORE).exists():
-                        found.append(Item(each.name, each.is_dir(follow_symlinks=False)))
+                    if not is_junk(each.name):
+                        found.append(_item(each))
                     if len(found) > MOST_ITEMS:
                         raise _too_many(str(self.folder), MOST_ITEMS)
         except OSError as fault:
@@ -103,6 +105,11 @@ class ClassFolder:
     def within(self, name: str) -> "ClassFolder":
         """Take one of its folders for the class."""
         return ClassFolder(self.folder / name)
+
+
+def _item(entry: os.DirEntry[str]) -> Item:
+    is_folder = entry.is_dir(follow_symlinks=False)
+    return Item(entry.name, is_folder, is_folder and (Path(entry.path) / STORE).exists())
 
 
 class ClassZip:

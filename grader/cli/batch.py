@@ -33,8 +33,6 @@ if TYPE_CHECKING:
     from grader.batch.store import Store
     from grader.batch.table import Totals
 
-MOST_NAMED = 5
-
 
 @click.command()
 @click.argument("folder_or_zip", type=click.Path(exists=True, path_type=Path), required=False)
@@ -172,12 +170,11 @@ def tell_of(class_: "Arrangement") -> None:
     Raises:
         UsageError: There is no submission.
     """
-    others = ", ".join(f"`{as_name(name)}`" for name in class_.others[:MOST_NAMED])
-    more = ", ..." if len(class_.others) > MOST_NAMED else ""
-    beside = f"; nobody's: {others}{more}" if others else ""
+    for name in class_.others:
+        say(f"nobody's: `{as_name(name)}`")
     if not class_.places:
-        raise UsageError(f"there is no submission in it, but a class is expected{beside}")
-    say(f"{len(class_.places):,} submissions, {class_.layout} layout{beside}")
+        raise UsageError("there is no submission in it, but a class is expected")
+    say(f"{len(class_.places):,} submissions, {class_.layout} layout")
 
 
 def require_same(store: "Store", job: "Job") -> None:

@@ -132,7 +132,7 @@ def grade(submission: Path, output: Path, quiet: bool, **given: Any) -> None:  #
     Exit status: 0 a grade was produced, 2 wrong usage, 3 the grader failed.
     """
     order = ordered(submission, given)
-    folder = ready(output)
+    folder = ready(output, submission=submission)
     paths = ready_for(folder, given["formats"])
     result = graded(order)
     written = stored(folder, result, order.language)

@@ -37,5 +37,8 @@ def similar(folder: Path, least: int, language: str | None) -> None:
     footer = f"bvhgrade {__version__}, copydetect"
     with shown("comparing"):
         path, whole = write_alike(folder, least / 100, footer, language or usual_language())
+    for names in whole.given_up:
+        told = f"not compared, because it takes too long: {', '.join(names)}"
+        click.echo(line_for_terminal(told), err=True)
     told = f"{whole.files} different files, {whole.alike} pairs from {least} % on"
     click.echo(f"written: {line_for_terminal(str(path))}: {told}")

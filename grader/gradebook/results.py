@@ -3,10 +3,6 @@
 A student is known by the name of the folder that holds `result.json`, which the course chose or
 the platform gave when it packed all submissions. What stands inside of a result says nothing
 about that: a submission's own name is the student's to choose.
-
-Source of the two names of folders: Moodle, mod/assign/locallib.php (`Ada Lovelace_123_
-assignsubmission_file`, 123 being what the worksheet calls Participant 123), and Canvas's
-"Download Submissions" (`lovelaceada_LATE_9001_55_exercise03`, 9001 being the user's ID).
 """
 
 import json
@@ -14,13 +10,15 @@ import math
 import os
 import re
 import stat
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from grader.errors import UsageError
+from grader.gradebook.marks import HANDED_IN, moodle_mark
 from grader.output import RESULT, STORE, STUDENT, STUDENTS
-from grader.plain import one_line
+from grader.plain import as_name, one_line
 from grader.report.as_json import SCHEMA_VERSION, Json, schema_text
 from grader.report.escape import LARGEST_JSON
 
@@ -30,7 +28,6 @@ LARGEST_NAMES = 1 << 16
 USUAL_OUTPUT = "bvhgrade-out"
 """Where `bvhgrade grade` writes by itself; the folder above it is the student's then."""
 
-_MOODLE = re.compile(r"(?P<full_name>.+?)_(?P<participant>\d+)_assignsubmission_")
 _CANVAS = re.compile(r"[^\W_]+_(?:LATE_)?(?P<canvas>\d+)_\d+_", re.IGNORECASE)
 LONGEST_PLACE = 80
 _READ = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC
@@ -71,8 +68,7 @@ def results_in(folder: Path) -> list[Marked]:
     """
     found: list[Marked] = []
     for path in result_paths(folder):
-        here = path.resolve().parent
-        name = here.parent.name if here.name == USUAL_OUTPUT else here.name
+        name = _owner(path.resolve()).name
         known = _known_by_batch(path, folder)
         found.append(Marked(name, known or ids_of(name), read_result(path)))
     return found
@@ -96,22 +92,61 @@ def _known_by_batch(path: Path, folder: Path) -> Ids | None:
 
 
 def result_paths(folder: Path) -> list[Path]:
-    """Find every result below a folder, in the order of their folders.
+    """Find every result below a folder, in the order of their folders; no link is followed.
 
-    Nothing below a folder that holds a result is looked at, and no link is followed.
+    Nothing in a result says who wrote it: a submission may hold a forged one, or an honest one
+    of its author's own `bvhgrade check`. So none is taken where submissions lie, nor where two
+    could be of one student.
 
     Raises:
-        UsageError: There is none.
+        UsageError: There is none, or it is not sure that all are the grader's.
     """
     found: list[Path] = []
     for here, folders, files in os.walk(folder, onerror=_unread):
         folders.sort()
+        if handed_in := [name for name in files if name.lower().endswith(HANDED_IN)]:
+            raise _not_apart(folder, Path(here) / min(handed_in))
         if RESULT in files:
-            folders.clear()
             found.append(Path(here) / RESULT)
     if not found:
         raise UsageError(f"{folder}: no {RESULT} below it; name the folder of the results")
+    _require_one_each(found)
     return found
+
+
+def _require_one_each(found: Sequence[Path]) -> None:
+    """Refuse results of which one lies in the folder of another.
+
+    Raises:
+        UsageError: Two do.
+    """
+    whose = {_owner(path): path for path in found}
+    for path in found:
+        owner = _owner(path)
+        for above in (owner, *owner.parents):
+            if whose.get(above, path) != path:
+                raise _two_of_one(path, whose[above])
+
+
+def _owner(path: Path) -> Path:
+    """Find the folder that is called after the student."""
+    here = path.parent
+    return here.parent if here.name == USUAL_OUTPUT else here
+
+
+def _not_apart(folder: Path, file: Path) -> UsageError:
+    shown = as_name(file.relative_to(folder).as_posix())
+    return UsageError(
+        f"{folder}: a submission lies there (`{shown}`), and with it could have come any "
+        f"{RESULT}; grade into a folder apart from the submissions (-o) and name that one"
+    )
+
+
+def _two_of_one(first: Path, second: Path) -> UsageError:
+    return UsageError(
+        f"{first} and {second}: one lies in the folder of the other, so one of them may have "
+        "been handed in; remove it, or grade into an empty folder"
+    )
 
 
 def _unread(fault: OSError) -> None:
@@ -123,8 +158,8 @@ def ids_of(name: str) -> Ids:
 
     Only its beginning counts: a platform appends the file's name, and that is a stranger's.
     """
-    if found := _MOODLE.match(name):
-        return Ids(participant=found["participant"], full_name=found["full_name"])
+    if mark := moodle_mark(name):
+        return Ids(participant=mark.participant, full_name=mark.full_name)
     if found := _CANVAS.match(name):
         return Ids(canvas=found["canvas"])
     return Ids(account=name, canvas=name if name.isdecimal() else "", full_name=name)

@@ -81,7 +81,8 @@ def _works(library: Path) -> bool:
     """Run a tiny Mitsuba program with this library in a child that may abort."""
     environment = {**os.environ, LIBRARY_VARIABLE: str(library)}
     order = Order(
-        argv=(sys.executable, "-c", PROBE),
+        # -P: where the grader was started may lie a stranger's mitsuba.py.
+        argv=(sys.executable, "-P", "-c", PROBE),
         seconds=PROBE_SECONDS,
         environment=environment,
     )

@@ -9,7 +9,7 @@ from grader.batch.store import Store
 from grader.errors import UsageError
 from grader.output import STORE, write_whole
 from grader.report.html.alike import Class, Side, to_alike_page
-from grader.similar.pairs import Pair, pairs
+from grader.similar.pairs import Pair, compared
 
 PAGE = "similar.html"
 
@@ -33,15 +33,17 @@ def write_alike(folder: Path, least: float, footer: str, language: str) -> tuple
         OutputFault: The page cannot be written.
     """
     names, sources = handed_in(folder)
-    found = pairs(sources)
-    alike = [pair for pair in found if pair.share >= least]
+    found = compared(sources)
+    alike = [pair for pair in found.pairs if pair.share >= least]
+    given_up = tuple(names[number] for number in found.given_up)
     count = len(sources)
     whole = Class(
         submissions=sum(map(len, names)),
         files=count,
-        usual=usual_share(found, count),
+        usual=usual_share(found.pairs, count - len(given_up)),
         least=least,
         alike=len(alike),
+        given_up=given_up,
     )
     shown = [sides(pair, names, sources) for pair in alike[:MOST_SHOWN]]
     identical = [owners for owners in names if len(owners) > 1]

@@ -49,8 +49,19 @@ class Pair:
         return max(self.shares)
 
 
-def pairs(sources: Sequence[bytes]) -> list[Pair]:
-    """Compare sources pair by pair, the most alike first.
+@dataclass(frozen=True, slots=True)
+class Compared:
+    """What came out of a comparison."""
+
+    pairs: tuple[Pair, ...]
+    """Those that have something in common, the most alike first."""
+
+    given_up: tuple[int, ...] = ()
+    """Numbers of sources that took too long to be read, and were compared with nothing."""
+
+
+def compared(sources: Sequence[bytes]) -> Compared:
+    """Compare sources pair by pair.
 
     Raises:
         MissingTool: copydetect is not installed.
@@ -64,8 +75,7 @@ def pairs(sources: Sequence[bytes]) -> list[Pair]:
         )
     starter = (resources.stub_folder() / "src" / "exercise03.cpp").read_bytes()
     answer = _asked(reader.write_sources([starter, *sources]))
-    found = [pair for pair in read_pairs(answer, len(sources)) if pair.share > 0]
-    return sorted(found, key=lambda one: (-one.share, one.first, one.second))
+    return read_answer(answer, len(sources))
 
 
 def _asked(question: bytes) -> bytes:
@@ -114,25 +124,43 @@ def _run(command: Sequence[str], given: int) -> bytes:
     return outcome.out
 
 
-def read_pairs(answer: bytes, count: int) -> Iterator[Pair]:
+def read_answer(answer: bytes, count: int) -> Compared:
     """Read the numbers that the confined process wrote.
 
     Raises:
         GraderError: They are none that it could have meant.
     """
-    view, at = memoryview(answer), 0
     try:
-        while at < len(view):
-            first, second, share, other, *sizes = reader.PAIR.unpack_from(view, at)
-            at += reader.PAIR.size
-            places: list[tuple[Place, ...]] = []
-            for size in sizes:
-                end = at + size * reader.PLACE.size
-                places.append(tuple(starmap(Place, reader.PLACE.iter_unpack(view[at:end]))))
-                at = end
-            if not (first < second < count and at <= len(view)):
-                raise ValueError("numbers of sources")
-            bounded = (min(max(share, 0.0), 1.0), min(max(other, 0.0), 1.0))
-            yield Pair(first, second, bounded, (places[0], places[1]))
+        given_up, at = _given_up(answer, count)
+        found = [pair for pair in _pairs(memoryview(answer), at, count) if pair.share > 0]
     except (struct.error, ValueError) as fault:
         raise GraderError("the comparison answered with what is no list of pairs") from fault
+    found.sort(key=lambda one: (-one.share, one.first, one.second))
+    return Compared(tuple(found), given_up)
+
+
+def _given_up(answer: bytes, count: int) -> tuple[tuple[int, ...], int]:
+    """Read the numbers of what was given up; returns also where they end."""
+    (size,) = reader.LENGTH.unpack_from(answer)
+    end = reader.LENGTH.size * (1 + size)
+    if size > count or end > len(answer):
+        raise ValueError("number of numbers")
+    numbers = tuple(n for (n,) in reader.LENGTH.iter_unpack(answer[reader.LENGTH.size : end]))
+    if any(number >= count for number in numbers):
+        raise ValueError("numbers of sources")
+    return numbers, end
+
+
+def _pairs(view: memoryview, at: int, count: int) -> Iterator[Pair]:
+    while at < len(view):
+        first, second, share, other, *sizes = reader.PAIR.unpack_from(view, at)
+        at += reader.PAIR.size
+        places: list[tuple[Place, ...]] = []
+        for size in sizes:
+            end = at + size * reader.PLACE.size
+            places.append(tuple(starmap(Place, reader.PLACE.iter_unpack(view[at:end]))))
+            at = end
+        if not (first < second < count and at <= len(view)):
+            raise ValueError("numbers of sources")
+        bounded = (min(max(share, 0.0), 1.0), min(max(other, 0.0), 1.0))
+        yield Pair(first, second, bounded, (places[0], places[1]))

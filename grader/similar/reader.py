@@ -4,11 +4,13 @@ What it needs is loaded, then it gives up all rights but to compute: no file, no
 network. Only then it reads the sources. It answers with numbers.
 
 Format, little endian. Input: the number of sources, and for each its length and its bytes; the
-first one is the starter. Output, a record for each pair of others that have something in
-common: both numbers (from 0), both shares (float64), two counts of places, and the places.
+first one is the starter. Output: how many others were given up and the number of each (from 0);
+then a record for each pair of others that have something in common: both numbers, both shares
+(float64), two counts of places, and the places.
 """
 
 import io
+import signal
 import struct
 import sys
 from collections.abc import Iterator, Mapping
@@ -24,6 +26,13 @@ SHORTEST = 25
 
 SURE = 30
 """From how many on an agreement is always found (copydetect's guarantee threshold)."""
+
+FILE_SECONDS = 20.0
+"""Processor seconds for one file; the largest that can be handed in, 1 MiB of code, takes 4."""
+
+
+class TooLong(BaseException):
+    """A file takes too long; no Exception, so that no library takes it for one of its own."""
 
 
 def main(words: list[str]) -> None:
@@ -65,14 +74,40 @@ def compared(sources: list[str]) -> Iterator[bytes]:
     """Compare each pair; what the starter has as well counts for nobody."""
     from copydetect import compare_files
 
-    starter, *others = [fingerprint(source) for source in sources]
-    every = every_hash(starter.filtered_code)
-    prints = [without(every, one) for one in others]
-    for (i, first), (j, second) in combinations(enumerate(prints), 2):
+    starter, *others = sources
+    every = every_hash(fingerprint(starter).filtered_code)
+    prints = [(number, timed(source)) for number, source in enumerate(others)]
+    given_up = [number for number, one in prints if one is None]
+    yield LENGTH.pack(len(given_up)) + b"".join(map(LENGTH.pack, given_up))
+    known = [(number, without(every, one)) for number, one in prints if one is not None]
+    for (i, first), (j, second) in combinations(known, 2):
         if not first.hashes & second.hashes:
             continue
         _, shares, places = compare_files(first, second)
         yield packed(i, j, shares, places)
+
+
+def timed(source: str) -> Any:  # noqa: ANN401 - copydetect has no types
+    """Reduce a source to fingerprints; None if that takes longer than FILE_SECONDS.
+
+    The lexer's patterns divide some comments in 2^n ways. CPython looks for signals while it
+    tries them, so that a handler that raises ends even that.
+    """
+    before = signal.signal(signal.SIGPROF, _too_long)
+    try:
+        signal.setitimer(signal.ITIMER_PROF, FILE_SECONDS)
+        try:
+            return fingerprint(source)
+        finally:
+            signal.setitimer(signal.ITIMER_PROF, 0)
+    except TooLong:
+        return None
+    finally:
+        signal.signal(signal.SIGPROF, before)
+
+
+def _too_long(*_: object) -> None:
+    raise TooLong
 
 
 def fingerprint(source: str) -> Any:  # noqa: ANN401 - copydetect has no types

@@ -3,6 +3,7 @@
 import json
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -13,10 +14,13 @@ from grader.batch.runner import Batch
 from grader.batch.sources import opened_class
 from grader.batch.store import opened_store
 from grader.batch.table import Totals
+from grader.intake.handed_in import handed_in
+from grader.model.stages import Submission
 from tests.intake.archives import zipped
 
 Json = dict[str, Any]
 Files = Mapping[str, str | bytes]
+Found = dict[str, tuple[str, str, str]]
 
 CODE = "void BVH::construct(const Mesh&) {}\n"
 
@@ -51,6 +55,18 @@ def class_of(path: Path) -> Iterator[Arrangement]:
     """Open a class."""
     with opened_class(path) as source:
         yield arranged(source, path.name)
+
+
+def found_in(path: Path) -> tuple[str, Found]:
+    """The layout; and per name the id, the e-mail address, the text or why there is none."""
+    found: Found = {}
+    with class_of(path) as class_:
+        for place in class_.places:
+            entries = partial(place.entries, class_.source)
+            given = handed_in(place.name, entries, 1 << 16)
+            text = given.source.decode() if isinstance(given, Submission) else given.reason
+            found[place.name] = (place.id, place.email, text)
+    return class_.layout, found
 
 
 class Seen:

@@ -9,8 +9,9 @@ from pathlib import Path
 import jsonschema
 import pytest
 
+from grader.cli.batch import tell_of
 from grader.report.as_json import schema_text
-from tests.batch.classes import folder_of, results, zip_of
+from tests.batch.classes import class_of, folder_of, results, zip_of
 from tests.batch.stand_in import SETTINGS
 from tests.cli.test_processes import environment
 from tests.own_files import ROOT
@@ -77,7 +78,19 @@ def test_a_folder_without_submissions_is_refused(tmp_path: Path, cache: Path) ->
     ended = batch(path, "-o", tmp_path / "out", "--unsafe-no-isolation", cache=cache)
     assert ended.returncode == 2
     assert "no submission" in ended.stderr
-    assert "\\x1b[31mnotes.txt" in ended.stderr
+    assert "\\x1b[31mnotes.txt" in ended.stdout
+
+
+def test_all_that_is_not_graded_is_named(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """However much there is: a student's file may be among it."""
+    others = {f"{number}.pdf": "" for number in range(30)}
+    with class_of(folder_of(tmp_path, "class", {"ada.cpp": RIGHT, **others})) as class_:
+        tell_of(class_)
+    *named, last = capsys.readouterr().out.splitlines()
+    assert named == [f"nobody's: `{name}`" for name in sorted(others)]
+    assert last == "1 submissions, plain layout"
 
 
 def test_a_store_holds_everything(tmp_path: Path) -> None:

@@ -11,10 +11,9 @@ from grader.batch.sources import opened_class
 from grader.errors import UsageError
 from grader.intake.handed_in import handed_in
 from grader.model.stages import Rejected, Submission
-from tests.batch.classes import CODE, Files, class_of, folder_of, packed, zip_of
+from tests.batch.classes import CODE, Files, class_of, folder_of, found_in, packed, zip_of
 
 Made = Callable[[Path, str, Files], Path]
-Found = dict[str, tuple[str, str, str]]
 
 METADATA = """---
 submission_101:
@@ -84,18 +83,6 @@ def made(request: pytest.FixtureRequest) -> Made:
     """Make a class as a folder, and as a zip."""
     make: Made = request.param
     return make
-
-
-def found_in(path: Path) -> tuple[str, Found]:
-    """The layout; and per name the id, the e-mail address, the text or why there is none."""
-    found: Found = {}
-    with class_of(path) as class_:
-        for place in class_.places:
-            entries = partial(place.entries, class_.source)
-            given = handed_in(place.name, entries, 1 << 16)
-            text = given.source.decode() if isinstance(given, Submission) else given.reason
-            found[place.name] = (place.id, place.email, text)
-    return class_.layout, found
 
 
 def test_moodle(made: Made, tmp_path: Path) -> None:
@@ -169,10 +156,87 @@ def test_a_folder_around_the_class_is_entered(made: Made, tmp_path: Path) -> Non
     assert found_in(made(tmp_path, "y", alone))[1] == {"ada": ("", "", CODE)}
 
 
-def test_an_output_folder_inside_is_nobody(tmp_path: Path) -> None:
-    """`-o` may lie in the class's own folder."""
-    path = folder_of(tmp_path, "class", {"ada.cpp": CODE, "out/batch.sqlite": ""})
-    assert list(found_in(path)[1]) == ["ada"]
+@pytest.mark.parametrize(
+    ("files", "layout", "count"),
+    [(MOODLE, "Moodle", 4), (CANVAS, "Canvas", 4), (PLAIN, "plain", 3)],
+)
+def test_an_output_folder_inside_is_nobody(
+    tmp_path: Path, files: Files, layout: str, count: int
+) -> None:
+    """`-o` may lie in the class's own folder; it is named, like all that is not graded."""
+    results = {"out/batch.sqlite": "", "out/students/ada/result.json": "{}"}
+    path = folder_of(tmp_path, "class", {**files, **results})
+    told, found = found_in(path)
+    assert (told, len(found)) == (layout, count)
+    with class_of(path) as class_:
+        assert "out" in class_.others
+
+
+def test_whoever_hands_in_a_store_is_graded_too(tmp_path: Path) -> None:
+    """A submission is no output, whatever lies in it."""
+    files = {"ada.cpp": CODE, "cy/exercise03.cpp": "c", "cy/batch.sqlite": ""}
+    _, found = found_in(folder_of(tmp_path, "class", files))
+    assert {name: text for name, (_, _, text) in found.items()} == {"ada": CODE, "cy": "c"}
+
+
+FLAT = "_assignsubmission_file_"
+
+
+def test_only_moodle_says_whose_a_file_is(made: Made, tmp_path: Path) -> None:
+    """Eve's and Mal's files are called as if Moodle had named them after Ada and Ben."""
+    files: Files = {
+        f"Eve Adams_99{FLAT}_Ada Lovelace_4711{FLAT}exercise03.cpp": "eve",
+        f"Ben Berg_12{FLAT}exercise03.cpp": "ben",
+        f"Mal Ory_13{FLAT}x_12{FLAT}exercise03.cpp": "mal",
+    }
+    layout, found = found_in(made(tmp_path, "class", files))
+    assert layout == "Moodle"
+    assert found == {
+        "Eve Adams": ("99", "", "eve"),
+        "Ben Berg": ("12", "", "ben"),
+        "Mal Ory": ("13", "", "mal"),
+    }
+
+
+@pytest.mark.parametrize(
+    ("names", "layout"),
+    [
+        (
+            {
+                "lovelaceada_9001_70001_exercise03.cpp": "lovelaceada",
+                f"adamseve_9003_70003_a_1{FLAT}exercise03.cpp": "adamseve",
+            },
+            "Canvas",
+        ),
+        ({f"adamseve_9003_70003_a_1{FLAT}exercise03.cpp": "adamseve"}, "Canvas"),
+        ({"ada.cpp": "ada", f"e_1{FLAT}x.cpp": f"e_1{FLAT}x"}, "plain"),
+        (
+            {f"Ben Berg_12{FLAT}x_9002_70002_exercise03.cpp": "Ben Berg"},
+            "Moodle",
+        ),
+    ],
+    ids=["canvas", "only one", "plain", "moodle"],
+)
+def test_one_file_s_name_changes_nobody_s_layout(
+    made: Made, tmp_path: Path, names: dict[str, str], layout: str
+) -> None:
+    """Everybody is graded, and under the name that the platform gave."""
+    told, found = found_in(made(tmp_path, "class", dict.fromkeys(names, CODE)))
+    assert (told, list(found)) == (layout, sorted(names.values()))
+
+
+@pytest.mark.parametrize(
+    ("files", "layout"),
+    [(MOODLE, "Moodle"), (GRADESCOPE, "Gradescope"), (GITHUB, "GitHub Classroom")],
+)
+def test_what_is_not_taken_is_named(
+    made: Made, tmp_path: Path, files: Files, layout: str
+) -> None:
+    """In every layout."""
+    top = "" if layout == "Moodle" else next(iter(files)).partition("/")[0] + "/"
+    path = made(tmp_path, "class", {**files, f"{top}notes.txt": "mine"})
+    with class_of(path) as class_:
+        assert (class_.layout, class_.others) == (layout, ("notes.txt",))
 
 
 def test_a_link_is_not_followed(tmp_path: Path) -> None:

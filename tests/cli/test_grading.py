@@ -158,6 +158,22 @@ def test_a_result_that_is_a_folder_is_found_before_grading(pipeline: Pipeline) -
     assert not pipeline.asked
 
 
+@pytest.mark.parametrize("words", [["-o", "out"], ["-o", "link/out"], ["-o", "link"]])
+@pytest.mark.parametrize("link", ["out/github", "link"])
+def test_nothing_is_graded_through_a_link_that_was_handed_in(
+    pipeline: Pipeline, tmp_path: Path, link: str, words: list[str]
+) -> None:
+    """It may lead into somebody else's folder, whose result would be replaced."""
+    Path(link).parent.mkdir(exist_ok=True)
+    other = tmp_path / "other"
+    other.mkdir()
+    Path(link).symlink_to(other)
+    result = call("grade", FILE, *words, "--format", "github")
+    through = words[1].startswith("link") == link.startswith("link")
+    assert bool(pipeline.asked) == (result.exit_code == 0) == (not through)
+    assert list(other.iterdir()) == []
+
+
 def test_check_falls_back_on_the_cache_if_nothing_may_be_written_here(
     pipeline: Pipeline, tmp_path: Path
 ) -> None:

@@ -32,14 +32,42 @@ def test_a_submission_s_own_name_is_nobody_s_id(tmp_path: Path) -> None:
     assert "ada" not in (one.student, one.ids.account, one.ids.full_name)
 
 
-def test_nothing_below_a_result_counts(tmp_path: Path) -> None:
-    """A submission that holds a folder of somebody else's name is no result of theirs."""
-    write_class(tmp_path, {"bob": "rejected", "bob/files/ada": "right"})
-    assert [one.student for one in results_in(tmp_path)] == ["bob"]
+@pytest.mark.parametrize(
+    "folders",
+    [("bob", "bob/files/ada"), ("eve", "eve/bvhgrade-out"), ("fay/bvhgrade-out", "fay/ada")],
+)
+def test_two_results_in_one_folder_are_refused(
+    tmp_path: Path, folders: tuple[str, str]
+) -> None:
+    """One of them could have been handed in, for oneself or in somebody else's name."""
+    write_class(tmp_path, dict.fromkeys(folders, "right") | {"zoe": "right"})
+    with pytest.raises(UsageError, match="one lies in the folder of the other") as fault:
+        results_in(tmp_path)
+    assert all(f"{tmp_path / each}/result.json" in str(fault.value) for each in folders)
+
+
+@pytest.mark.parametrize("brought", ["eve", "eve/bvhgrade-out", "eve/ada", "eve/.git/x"])
+@pytest.mark.parametrize("file", ["bob/src/exercise03.cpp", "eve/Mine.ZIP", "ada.tar.gz"])
+def test_no_result_is_taken_where_submissions_lie(
+    tmp_path: Path, brought: str, file: str
+) -> None:
+    """Whoever handed something in could have brought it: everybody can, by `check`."""
+    write_class(tmp_path, {brought: "right", "bob/bvhgrade-out": "rejected"})
+    (tmp_path / file).parent.mkdir(parents=True, exist_ok=True)
+    (tmp_path / file).touch()
+    with pytest.raises(UsageError, match="apart from the submissions") as fault:
+        results_in(tmp_path)
+    assert f"`{file}`" in str(fault.value)
+
+
+def test_a_folder_may_be_called_like_a_submission(tmp_path: Path) -> None:
+    """`bvhgrade grade ada.zip -o results/ada.zip`."""
+    write_class(tmp_path, {"ada.zip": "right"})
+    assert [one.student for one in results_in(tmp_path)] == ["ada.zip"]
 
 
 def test_the_usual_folder_of_grade_belongs_to_the_one_above(tmp_path: Path) -> None:
-    """Somebody graded in each student's folder without -o."""
+    """Somebody graded without -o, in a folder for each student's result."""
     write_class(tmp_path, {"ada/bvhgrade-out": "right"})
     assert [one.student for one in results_in(tmp_path)] == ["ada"]
 
@@ -68,6 +96,7 @@ def test_no_link_is_followed(tmp_path: Path) -> None:
             Ids(participant="101", full_name="Ada Lovelace"),
         ),
         ("lovelaceada_9001_55_exercise03", Ids(canvas="9001")),
+        ("lovelaceada_9001_55_a_1_assignsubmission_file_x", Ids(canvas="9001")),
         ("lovelaceada_LATE_9001_55_x_9002_56_y", Ids(canvas="9001")),
         ("ada@uni.example", Ids(account="ada@uni.example", full_name="ada@uni.example")),
         ("9001", Ids(account="9001", canvas="9001", full_name="9001")),

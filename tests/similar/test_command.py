@@ -10,6 +10,7 @@ from grader.batch.records import Student
 from grader.batch.store import Store
 from grader.cli import cli
 from grader.output import STORE
+from grader.similar.pairs import Compared
 from tests.own_files import ROOT
 
 RIGHT = ROOT / "tests" / "submissions" / "right"
@@ -70,6 +71,18 @@ def test_copies_stand_side_by_side(class_folder: Path) -> None:
     assert page.count('<section class="pair"') == 1
     assert "<mark>" in page
     assert "cramer" not in page.lower()
+
+
+def test_who_was_not_compared_is_named(
+    class_folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """On the page and in the terminal, with everybody who handed that file in."""
+    monkeypatch.setattr("grader.similar.alike.compared", lambda _: Compared((), (0,)))
+    done = similar(str(class_folder))
+    assert done.exit_code == 0, done.output
+    assert "not compared, because it takes too long: Ada, Ben <b>\n" in done.stderr
+    page = (class_folder / "similar.html").read_text()
+    assert page.index("Not compared") < page.rindex("<li><bdi>Ada</bdi>, <bdi>Ben &lt;b&gt;")
 
 
 def test_a_folder_without_a_class_is_refused(tmp_path: Path) -> None:

@@ -10,7 +10,7 @@ from grader import resources
 from grader.errors import GraderError, MissingTool
 from grader.similar import pairs as module
 from grader.similar import reader
-from grader.similar.pairs import Pair, Place, pairs, read_pairs
+from grader.similar.pairs import Compared, Pair, Place, compared, read_answer
 from tests.own_files import ROOT
 
 RIGHT = ROOT / "tests" / "submissions" / "right"
@@ -31,6 +31,13 @@ def dressed_up(source: bytes) -> bytes:
     text = NAMES.sub(r"my_\1", source.decode())
     lines = [f"  {line}  // mine" if line.endswith(";") else line for line in text.split("\n")]
     return "\n\n".join(lines).encode()
+
+
+def pairs(sources: list[bytes]) -> list[Pair]:
+    """Compare sources, of which none may be given up."""
+    done = compared(sources)
+    assert done.given_up == ()
+    return list(done.pairs)
 
 
 def best(found: list[Pair], first: int, second: int) -> Pair:
@@ -91,6 +98,27 @@ def test_any_bytes_can_be_compared(sources: list[bytes], hostile: bytes) -> None
     assert found[0].share == 1
 
 
+def test_a_file_that_cannot_be_taken_apart_is_given_up(
+    sources: list[bytes], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Its comment can be divided in 2^39 ways; the others are compared without it."""
+    bomb = b"int //" + b"\\\n//" * 40 + b"\ndivided = 0;\n"
+    usual = reader.started
+
+    def started(given: int, rights: dict[str, str]) -> list[str]:
+        command = usual(given, rights)
+        at = command.index("-m")
+        code = "from grader.similar import reader; import sys; reader.FILE_SECONDS = 2.0; "
+        return [*command[:at], "-c", code + "reader.main(sys.argv[1:])", *command[at + 2 :]]
+
+    monkeypatch.setattr(reader, "started", started)
+    monkeypatch.setattr(module, "SECONDS", 60)
+    copy = dressed_up(sources[0])
+    done = compared([sources[0], bomb + sources[0], bomb + sources[2], copy])
+    assert done.given_up == (1, 2)
+    assert [(one.first, one.second) for one in done.pairs] == [(0, 3)]
+
+
 def test_the_process_that_reads_sources_can_reach_nothing(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
@@ -143,15 +171,21 @@ def test_without_copydetect_it_says_what_to_install(monkeypatch: pytest.MonkeyPa
 def test_an_answer_is_numbers_and_nothing_else() -> None:
     """Whatever does not fit is refused as a whole."""
     record = reader.PAIR.pack(0, 1, 0.5, float("inf"), 1, 0) + reader.PLACE.pack(3, 9)
-    (pair,) = read_pairs(record, 2)
-    assert pair == Pair(0, 1, (0.5, 1.0), ((Place(3, 9),), ()))
+    number, none = reader.LENGTH.pack, reader.LENGTH.pack(0)
+    pair = Pair(0, 1, (0.5, 1.0), ((Place(3, 9),), ()))
+    assert read_answer(none + record, 2) == Compared((pair,), ())
+    assert read_answer(number(1) + number(2), 3) == Compared((), (2,))
     wrong = [
-        record[:-1],
-        record + b"x",
-        reader.PAIR.pack(1, 0, 0, 0, 0, 0),
-        reader.PAIR.pack(0, 2, 0, 0, 0, 0),
-        struct.pack("<IIddII", 0, 1, 0, 0, 2**32 - 1, 0),
+        b"",
+        none + record[:-1],
+        none + record + b"x",
+        none + reader.PAIR.pack(1, 0, 0, 0, 0, 0),
+        none + reader.PAIR.pack(0, 2, 0, 0, 0, 0),
+        none + struct.pack("<IIddII", 0, 1, 0, 0, 2**32 - 1, 0),
+        number(1) + number(2),
+        number(2) + number(0),
+        number(2**63) + number(0),
     ]
     for answer in wrong:
         with pytest.raises(GraderError, match="no list of pairs"):
-            list(read_pairs(answer, 2))
+            read_answer(answer, 2)

@@ -8,5 +8,8 @@ source "$here/environment.sh"
 # What the course chose: a list called `chosen`.
 # shellcheck disable=SC1091
 source "$here/settings.sh"
+# Wherever this is called from: only what was installed decides which code Python runs.
+# shellcheck disable=SC2086
+unset ${!PYTHON@}
 # shellcheck disable=SC2154
-exec "$here/venv/bin/bvhgrade" grade "$1" -o "$2" "${chosen[@]}" "${@:3}"
+exec "$here/venv/bin/python" -I "$here/venv/bin/bvhgrade" grade "$1" -o "$2" "${chosen[@]}" "${@:3}"

@@ -4,6 +4,11 @@
 # graded: it proves that grading works here, and fills the cache with what no submission changes.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd -P)
+# A host may call this from within a student's files. Nothing of theirs may be taken for a part of
+# Python: hence another folder, and -I in each call.
+cd "$here"
+# shellcheck disable=SC2086
+unset ${!PYTHON@}
 
 die() {
     printf 'bvhgrade: %s\n' "$1" >&2
@@ -13,7 +18,7 @@ die() {
 python_found() {
     local name
     for name in python3 python3.11 python3.12 python3.13 python3.14; do
-        if "$name" -c 'import sys, venv, ensurepip; sys.exit(sys.version_info < (3, 11))' 2>/dev/null; then
+        if "$name" -I -c 'import sys, venv, ensurepip; sys.exit(sys.version_info < (3, 11))' 2>/dev/null; then
             command -v "$name"
             return
         fi
@@ -64,18 +69,18 @@ printf 'export CXX=%q\nexport BVHGRADE_CACHE=%q\n' "$compiler" "$here/cache" >"$
 # shellcheck disable=SC1091
 source "$here/environment.sh"
 
-"$python" -m venv --clear "$here/venv"
+"$python" -I -m venv --clear "$here/venv"
 sources=()
 # Wheels that were packed (`--wheels`) are enough: then no network is needed.
 if compgen -G "$here/wheels/numpy-*.whl" >/dev/null; then sources=(--no-index --find-links "$here/wheels"); fi
-"$here/venv/bin/python" -m pip install --quiet --disable-pip-version-check --no-cache-dir \
+"$here/venv/bin/python" -I -m pip install --quiet --disable-pip-version-check --no-cache-dir \
     "${sources[@]}" --constraint "$here/constraints.txt" "$here"/wheels/bvhgrade-*.whl
 
-"$here/venv/bin/bvhgrade" doctor
+"$here/venv/bin/python" -I "$here/venv/bin/bvhgrade" doctor
 trial=$(mktemp -d)
-reference=$("$here/venv/bin/python" -c 'from grader.resources import reference_source; print(reference_source())')
+reference=$("$here/venv/bin/python" -I -c 'from grader.resources import reference_source; print(reference_source())')
 "$here/grade.sh" "$reference" "$trial" --quiet || die 'the model solution could not be graded; see above'
-"$here/venv/bin/python" - "$trial/result.json" <<'END' || die 'the model solution loses points here; see above'
+"$here/venv/bin/python" -I - "$trial/result.json" <<'END' || die 'the model solution loses points here; see above'
 import json
 import sys
 

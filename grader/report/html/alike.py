@@ -45,6 +45,9 @@ class Class:
     alike: int
     """Pairs of files from there on; not all need be shown."""
 
+    given_up: tuple[tuple[str, ...], ...] = ()
+    """For each file that took too long to be compared: who handed it in."""
+
 
 def to_alike_page(
     whole: Class,
@@ -77,6 +80,7 @@ def to_alike_page(
         "title": words("BVH exercise: submissions that are alike"),
         "lead": lead,
         "identical": [list(names) for names in identical],
+        "given_up": [list(names) for names in whole.given_up],
         "pairs": [[_side(side) for side in pair] for pair in shown],
         "footer": footer,
     }

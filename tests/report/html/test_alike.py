@@ -9,7 +9,7 @@ from grader.report.html.alike import LONGEST, Class, Side, pieces, to_alike_page
 from tests.report.html.conftest import Visit
 
 HOSTILE = '</pre></script><script>document.title="1"</script>\u202e\x1b[31m'
-WHOLE = Class(submissions=9, files=8, usual=0.12, least=0.5, alike=1)
+WHOLE = Class(submissions=9, files=8, usual=0.12, least=0.5, alike=1, given_up=(("Di",),))
 
 
 def page_of(name: str, text: str, language: str = "en") -> str:
