@@ -52,6 +52,10 @@ RECURSIVE = {
         static void grow(const BVH::Node& n, const Mesh& mesh, uint32_t i) {
             all[i].bounds.extend(n.bounds.min); if (i) grow(all[i], mesh, i - 1); }
         """ + OPEN + "all = nodes.data(); grow(nodes[0], mesh, 3); }",
+    "a function of a copy of a node that writes to another one": """
+        static void grow(BVH::Node n, std::pair<int, BVH::Node>& all, uint32_t i) {
+            all.second = n; if (i) grow(n, all, i - 1); }
+        """ + OPEN + "std::pair<int, Node> all; grow(nodes[0], all, 3); }",
     "a function named ä": """static void ä(std::vector<BVH::Node>& n, int d) {
         n.push_back({}); if (d) ä(n, d - 1); }
         """ + OPEN + "ä(nodes, 3); }",
@@ -92,6 +96,12 @@ LOOPS = {
         std::function<void(uint32_t)> one = [&](uint32_t i) { nodes[i].facesEnd = 3; };
         std::function<void(uint32_t)> two = [&](uint32_t i) { nodes.push_back({}); one(i); };
         two(0); }""",
+    "a recursive quickselect of records for a copy of a node": """struct Item { float x; };
+        static void select(std::vector<Item>& all, BVH::Node n, size_t a, size_t b) {
+            if (b - a < 2) return;
+            std::swap(all[a], all[n.facesEnd % b]);
+            select(all, n, a, b / 2); select(all, n, a + 1, b); }
+        """ + OPEN + "std::vector<Item> all(9); select(all, nodes[0], 0, 9); }",
     "functions named ä and ö": """static void ä(BVH::Node& n) { n.facesEnd = 3; }
         static void ö(BVH::Node& n) { ä(n); }
         """ + OPEN + "ö(nodes[0]); }",
