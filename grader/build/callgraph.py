@@ -16,6 +16,7 @@ from dataclasses import dataclass, field
 
 from grader.build.captures import Frame
 from grader.build.diagnostics import SOURCE_NAME
+from grader.build.lent import Lent
 from grader.build.pointers import ANYTHING, POINTER_CALL, Pointers, at_place
 from grader.model.stages import Call, CallGraph
 
@@ -71,6 +72,7 @@ class _Function:
 
     frame: Frame = field(default_factory=Frame)
     pointers: Pointers = field(default_factory=Pointers)
+    lent: Lent = field(default_factory=Lent)
 
 
 @dataclass(slots=True)
@@ -115,6 +117,8 @@ def read_assembly(text: bytes) -> CallGraph:
             inner = read.inner[owner]
             read.selves |= dict.fromkeys(filter(None, [inner.frame.read(row)]))
             inner.pointers.read(row)
+    unclear = [(owner, inner.lent.end()) for owner, inner in read.inner.items()]
+    read.calls |= dict.fromkeys((owner, name) for owner, name in unclear if name)
     named = {name for pair in (*read.calls, *read.taken) for name in pair}
     if sum(map(len, named)) > MOST_NAMED:
         raise Tangled
@@ -177,11 +181,13 @@ def _note(read: _Read, owner: bytes, row: bytes) -> None:
         _note_data(read, owner, row)
     elif owner in read.functions:
         inner = read.inner[owner]
+        if lender := inner.lent.read(row):
+            read.calls[owner, lender] = None
         if POINTER_CALL.match(row):
             if called := inner.pointers.called(row):
                 read.calls[owner, called] = None
             return
-        if _LABEL.match(row):
+        if inner.lent.lends(row) or _LABEL.match(row):
             return
         verb, *words = row.split(None, 1) or [b""]
         names = _NAME.findall(words[0]) if words else []

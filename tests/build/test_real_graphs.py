@@ -56,6 +56,16 @@ RECURSIVE = {
         static void grow(BVH::Node n, std::pair<int, BVH::Node>& all, uint32_t i) {
             all.second = n; if (i) grow(n, all, i - 1); }
         """ + OPEN + "std::pair<int, Node> all; grow(nodes[0], all, 3); }",
+    "a function that writes to a node after it has read it": """
+        struct State { std::vector<BVH::Node>& nodes; };
+        static void grow(State& s, uint32_t i) {
+            if (s.nodes[i].facesEnd < 3) s.nodes[i].facesEnd++; if (i) grow(s, i - 1); }
+        """ + OPEN + "State s{nodes}; grow(s, 3); }",
+    "a function that writes through a reference to a node": """
+        struct State { std::vector<BVH::Node>& nodes; };
+        static void grow(State& s, uint32_t i) {
+            float& x = s.nodes.back().bounds.max.x; x = 3; if (i) grow(s, i - 1); }
+        """ + OPEN + "State s{nodes}; grow(s, 3); }",
     "a virtual function that prints what it catches": """
         struct Step { virtual void run(std::vector<BVH::Node>& n, int d) {
             try { n.push_back({}); } catch (const std::exception& e) { std::cerr << e.what(); }
@@ -118,6 +128,15 @@ LOOPS = {
             explicit Split(std::vector<BVH::Node>& n) : nodes(n) {}
             void run() override { nodes.push_back({}); delete static_cast<Step*>(this); } };
         """ + OPEN + "Step* s = new Split(nodes); s->run(); }",
+    "a recursive quickselect that looks into nodes": """
+        struct State { std::vector<BVH::Node>& nodes; size_t i; };
+        static void select(State& s, uint32_t* a, uint32_t* b) {
+            const BVH::Node node = s.nodes[s.i];
+            const float x = s.nodes[s.i].bounds.extents().x;
+            if (b - a < 2 || s.nodes.at(s.i).facesEnd < s.nodes.back().facesEnd) return;
+            uint32_t* m = std::partition(a, b, [&](uint32_t f) { return f < x; });
+            select(s, a, m); select(s, m + (m == a), b); }
+        """ + OPEN + "State s{nodes, 0}; select(s, &faceIndices[0], &faceIndices[0] + 9); }",
     "a recursive quickselect of records for a copy of a node": """struct Item { float x; };
         static void select(std::vector<Item>& all, BVH::Node n, size_t a, size_t b) {
             if (b - a < 2) return;
