@@ -3,9 +3,10 @@
 The assembly text of a build without optimisation holds every call: nothing is inlined yet, and
 overloads, templates and lambdas are already resolved to mangled names. A call through a pointer
 is a call of `ANYTHING`, which in turn calls every function whose address is taken or stands in
-a table; who takes it is listed too. A constructor or destructor with two names calls itself by
-the other one. The text is the compiler's, but the names in it are the student's; they are
-compared and never used for anything else.
+a table; who takes it is listed too. A call of what stands at some place in a table of virtual
+functions is one of `ANYTHING` at this place. A constructor or destructor with two names calls
+itself by the other one. The text is the compiler's, but the names in it are the student's; they
+are compared and never used for anything else.
 """
 
 import re
@@ -15,10 +16,9 @@ from dataclasses import dataclass, field
 
 from grader.build.captures import Frame
 from grader.build.diagnostics import SOURCE_NAME
+from grader.build.lent import Lent
+from grader.build.pointers import ANYTHING, POINTER_CALL, Pointers, at_place
 from grader.model.stages import Call, CallGraph
-
-ANYTHING = b"*"
-"""Stands for whatever a pointer points to."""
 
 MAX_CALLS = 200_000
 """A textbook solution has about 1,000; more than this is cut."""
@@ -27,7 +27,7 @@ MAX_ROWS = 500_000
 MAX_BYTES = 24 << 20
 """What is read, each row once for each function that it lies in. The longest of 81 right files
 makes 50,000 rows and 1.6 MB, one with `std::regex` and threads 190,000 and 6 MB; a macro can
-make 200 million. A row takes 8 microseconds, and 1,000 bytes take 150."""
+make 200 million. A row takes 11 microseconds, and 1,000 bytes take 150."""
 
 MOST_OWNERS = 16
 """Functions that a row may lie in. A compiler's do not overlap; inline assembly adds a few."""
@@ -45,7 +45,6 @@ _LABEL = re.compile(rb'^"?([\w.$\x80-\xff]{1,4096})"?:')
 _END = re.compile(rb'^\s*\.size\s+"?([\w.$\x80-\xff]{1,4096})"?,')
 _NAME = re.compile(rb"[A-Za-z_\x80-\xff][\w.$\x80-\xff]{1,4096}")
 _CALL = re.compile(rb"^(call|jmp|bl?$|b[lr]+$)")
-_POINTER_CALL = re.compile(rb"^(call\w*\s+\*|blr\s)")
 _ELSEWHERE = re.compile(rb"(?:^|[^\w.$])([a-z]\w{0,80}|_Z(?:n[wa]|d[la])\w{1,20})@GOTPCREL")
 _ELSEWHERE_ARM = re.compile(rb":got:([a-z]\w{0,80}|_Z(?:n[wa]|d[la])\w{1,20})\b")
 _NAMED = (b"_Z", b"ex03_")
@@ -54,6 +53,10 @@ _NAMED = (b"_Z", b"ex03_")
 _OF_THE_LIBRARY = (b"_ZNSt", b"_ZSt", b"_ZNKSt")
 _DATA = {b"stdin", b"stdout", b"stderr", b"environ"}
 _TABLE = re.compile(rb"^\.(?:quad|xword|8byte)\s+([\w.$\x80-\xff]{1,4096})")
+_TABLE_BYTES = 8
+_VIRTUAL, _TYPE = b"_ZTV", b"_ZTI"
+"""How tables of virtual functions begin, and what stands in them before the functions."""
+
 _FILE = re.compile(rb'^\s*\.file\s+(\d+)\s+(?:"[^"\n]*"\s+)?"([^"\n]*)"')
 # Line 0 is a compiler's word for code that belongs to no line.
 _LINE = re.compile(rb"^\s*\.loc\s+(\d+)\s+([1-9]\d{0,6})\b")
@@ -61,6 +64,15 @@ _LINE = re.compile(rb"^\s*\.loc\s+(\d+)\s+([1-9]\d{0,6})\b")
 
 class Tangled(Exception):
     """A text would take hours to read, which no compiler writes by itself."""
+
+
+@dataclass(slots=True)
+class _Function:
+    """What is known of one function up to a row."""
+
+    frame: Frame = field(default_factory=Frame)
+    pointers: Pointers = field(default_factory=Pointers)
+    lent: Lent = field(default_factory=Lent)
 
 
 @dataclass(slots=True)
@@ -73,6 +85,10 @@ class _Read:
     taken: dict[tuple[bytes, bytes], None] = field(default_factory=dict)
     lines: dict[bytes, int] = field(default_factory=dict)
     selves: dict[bytes, None] = field(default_factory=dict)
+    places: dict[bytes, int] = field(default_factory=dict)
+    """How far behind the type the next entry of a table of virtual functions stands."""
+
+    inner: dict[bytes, _Function] = field(default_factory=lambda: defaultdict(_Function))
 
     @property
     def is_full(self) -> bool:
@@ -93,13 +109,16 @@ def read_assembly(text: bytes) -> CallGraph:
     symbols = [match for row in rows if (match := _SYMBOL.match(row))]
     functions, objects = ({each[1] for each in symbols if each[2] == kind} for kind in _KINDS)
     read = _Read(functions, objects)
-    frames: defaultdict[bytes, Frame] = defaultdict(Frame)
     for owner, row in _placed(rows, read):
         if (line := _LINE.match(row)) and owner and line[1] in own:
             read.lines.setdefault(owner, int(line[2]))
         elif not read.is_full:
             _note(read, owner, row)
-            read.selves |= dict.fromkeys(filter(None, [frames[owner].read(row)]))
+            inner = read.inner[owner]
+            read.selves |= dict.fromkeys(filter(None, [inner.frame.read(row)]))
+            inner.pointers.read(row)
+    unclear = [(owner, inner.lent.end()) for owner, inner in read.inner.items()]
+    read.calls |= dict.fromkeys((owner, name) for owner, name in unclear if name)
     named = {name for pair in (*read.calls, *read.taken) for name in pair}
     if sum(map(len, named)) > MOST_NAMED:
         raise Tangled
@@ -124,6 +143,7 @@ def _placed(rows: list[bytes], read: _Read) -> Iterator[tuple[bytes, bytes]]:
 
     A function ends at the last `.size` of its name: inline assembly can write labels and ends
     of its own, but not take the compiler's away. What it puts around a row is listed besides.
+    A label lies in the function that it begins.
     """
     ends = {end[1]: number for number, row in enumerate(rows) if (end := _END.match(row))}
     inside: dict[bytes, None] = {}
@@ -141,13 +161,13 @@ def _placed(rows: list[bytes], read: _Read) -> Iterator[tuple[bytes, bytes]]:
             table = b""
             if ends[end[1]] == number:
                 inside.pop(end[1], None)
-        else:
-            owners = inside or [table]
-            placed += len(owners)
-            size += len(owners) * len(row)
-            if placed > MAX_ROWS or size > MAX_BYTES:
-                raise Tangled
-            yield from ((owner, row) for owner in owners)
+            continue
+        owners = inside or [table]
+        placed += len(owners)
+        size += len(owners) * len(row)
+        if placed > MAX_ROWS or size > MAX_BYTES:
+            raise Tangled
+        yield from ((owner, row) for owner in owners)
 
 
 def _is_own(name: bytes) -> bool:
@@ -160,8 +180,14 @@ def _note(read: _Read, owner: bytes, row: bytes) -> None:
     if row.startswith(b"."):
         _note_data(read, owner, row)
     elif owner in read.functions:
-        if _POINTER_CALL.match(row):
-            read.calls[owner, ANYTHING] = None
+        inner = read.inner[owner]
+        if lender := inner.lent.read(row):
+            read.calls[owner, lender] = None
+        if POINTER_CALL.match(row):
+            if called := inner.pointers.called(row):
+                read.calls[owner, called] = None
+            return
+        if inner.lent.lends(row) or _LABEL.match(row):
             return
         verb, *words = row.split(None, 1) or [b""]
         names = _NAME.findall(words[0]) if words else []
@@ -193,9 +219,16 @@ def _note_data(read: _Read, owner: bytes, row: bytes) -> None:
     """Take down an entry of a table, and a second name of a function."""
     if (alias := _ALIAS.match(row)) and alias[2] in read.functions:
         read.calls[alias[1], alias[2]] = None
-    if (entry := _TABLE.match(row)) and entry[1] in read.functions:
+    entry = _TABLE.match(row)
+    if entry and entry[1] in read.functions:
         read.calls[ANYTHING, entry[1]] = None
         read.taken[owner or ANYTHING, entry[1]] = None
+        if owner in read.places:
+            read.calls[at_place(read.places[owner]), entry[1]] = None
+    if entry and owner.startswith(_VIRTUAL):
+        # An object of several bases has several tables, which stand behind each other.
+        is_type = entry[1].startswith(_TYPE)
+        read.places[owner] = 0 if is_type else read.places.get(owner, 0) + _TABLE_BYTES
 
 
 def _text(name: bytes) -> str:

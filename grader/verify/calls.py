@@ -19,6 +19,11 @@ DOOR = "ex03_construct"
 """Calls `construct` for the grader, and for a submission that declares it."""
 
 ANYTHING = "*"
+"""How whatever a pointer points to begins; a number behind it is the place of a virtual
+function in a table."""
+
+VIRTUAL = "_ZTV"
+"""How tables of virtual functions begin."""
 
 OBJECT_CALL = re.compile(r"_ZNKSt8functionIF(?P<signature>.+)EEclE")
 OBJECT_TARGET = re.compile(r"_ZNSt17_Function_handlerIF(?P<rest>.+)E9_M_invoke")
@@ -29,16 +34,18 @@ MAX_SIGNATURES = 64
 
 def callees_of(graph: CallGraph) -> Callees:
     """Who is called by whom while a tree is built, as far as it is certain."""
-    elsewhere = _only_of_intersect(graph)
+    takers = _takers(graph)
+    elsewhere = _only_of_intersect(graph, takers)
     callees: Callees = defaultdict(set, {DOOR: {CONSTRUCT}})
     for call in graph.calls:
         # Filling a function object is not yet a call of what it holds.
         if not _inside_the_library(call) and not _is_target(call.callee):
             callees[call.caller].add(call.callee)
     selves = _filled(graph)
-    pointed = set(filter(_is_pointed_at, callees.pop(ANYTHING, set())))
+    pointers = _pointers(callees, takers)
     builders = set(filter(speaks_of_nodes, names_of(callees)))
-    for called, targets in ((ANYTHING, pointed - elsewhere), *_objects(graph, elsewhere)):
+    for called, meant in (*pointers, *_objects(graph)):
+        targets = meant - elsewhere
         if len(targets) == 1 or _all_recur(callees, called, targets, builders):
             callees[called] |= targets
         callees[called] |= targets & selves
@@ -48,7 +55,12 @@ def callees_of(graph: CallGraph) -> Callees:
 def _inside_the_library(call: Call) -> bool:
     """Tell whether a pointer is one of the standard library's own, as in `std::function`."""
     pair = (call.caller, call.callee)
-    return ANYTHING in pair and any(STANDARD.match(name) for name in pair)
+    return any(map(is_pointer, pair)) and any(map(STANDARD.match, pair))
+
+
+def is_pointer(name: str) -> bool:
+    """Tell whether this is no function, but whatever a pointer leads to."""
+    return name.startswith(ANYTHING)
 
 
 def _is_target(name: str) -> bool:
@@ -60,15 +72,37 @@ def _is_pointed_at(name: str) -> bool:
     return not is_lifetime(name) and not name.startswith("_GLOBAL__")
 
 
-def _only_of_intersect(graph: CallGraph) -> set[str]:
-    """Functions whose address is taken only by `intersect` and what it alone calls."""
-    reaches: Callees = defaultdict(set)
+def _pointers(callees: Callees, takers: Callees) -> list[tuple[str, set[str]]]:
+    """Each kind of pointer that is called, and what it may be for; takes its targets out.
+
+    A function that stands nowhere but in tables of virtual functions is called by its place.
+    """
+    kinds = {name for name in names_of(callees) | {ANYTHING} if is_pointer(name)}
+    targets = {kind: set(filter(_is_pointed_at, callees.pop(kind, ()))) for kind in kinds}
+    anything = targets.pop(ANYTHING)
+    tabled = {name for name in anything if all(map(_is_table, takers.get(name, "?")))}
+    placed = [(kind, anything - tabled | meant) for kind, meant in sorted(targets.items())]
+    return [(ANYTHING, anything), *placed]
+
+
+def _is_table(name: str) -> bool:
+    return name.startswith(VIRTUAL)
+
+
+def _takers(graph: CallGraph) -> Callees:
+    """Who takes the address of each function."""
     takers: Callees = defaultdict(set)
-    for call in (*graph.calls, *graph.taken):
-        if ANYTHING not in (call.caller, call.callee):
-            reaches[call.caller].add(call.callee)
     for call in graph.taken:
         takers[call.callee].add(call.caller)
+    return takers
+
+
+def _only_of_intersect(graph: CallGraph, takers: Callees) -> set[str]:
+    """Functions whose address is taken only by `intersect` and what it alone calls."""
+    reaches: Callees = defaultdict(set)
+    for call in (*graph.calls, *graph.taken):
+        if not is_pointer(call.caller) and not is_pointer(call.callee):
+            reaches[call.caller].add(call.callee)
     apart = _from(reaches, INTERSECT) - _from(reaches, CONSTRUCT)
     return {name for name, owners in takers.items() if owners <= apart}
 
@@ -86,15 +120,14 @@ def _filled(graph: CallGraph) -> set[str]:
     return {target for target in reachable(fillers, graph.selves) if _is_target(target)}
 
 
-def _objects(graph: CallGraph, elsewhere: set[str]) -> Iterator[tuple[str, set[str]]]:
+def _objects(graph: CallGraph) -> Iterator[tuple[str, set[str]]]:
     """Each function that calls a `std::function`, and what may be in there by its signature."""
     names = sorted({name for call in graph.calls for name in (call.caller, call.callee)})
     calls = [match for name in names if (match := OBJECT_CALL.match(name))]
     targets = [match for name in names if (match := OBJECT_TARGET.match(name))]
     for call in calls[:MAX_SIGNATURES]:
         wanted = f"{call['signature']}E"
-        meant = {each.string for each in targets if each["rest"].startswith(wanted)}
-        yield call.string, meant - elsewhere
+        yield call.string, {each.string for each in targets if each["rest"].startswith(wanted)}
 
 
 def _all_recur(callees: Callees, call: str, targets: set[str], builders: set[str]) -> bool:

@@ -17,13 +17,21 @@ a name's length.
 """
 
 READ_NODES = re.compile(
-    r"[RPOI]K(St6vectorI)?N(3BVH|S\w?_)4NodeE(St6vectorIS\w_)?(SaIS\w_EE)?"
-    r"|^_ZNKSt6vectorIN3BVH4NodeESaIS\w_EE"
+    r"[RPOI]K(St6vectorI)?N(3BVH|S\w?_)4NodeE(St6vectorIS\w_)?|^_ZNKSt6vectorIN3BVH4NodeEE"
 )
 """Nodes that are only read: they, or the vector that holds them, are constant.
 
 What a constant span, iterator or pointer leads to is not.
 """
+
+COPY = re.compile(r"N(3BVH|S\w?_)4NodeE")
+"""A node; it is a copy, which nobody else sees change, if it stands there for itself."""
+
+READ = "!"
+"""Stands in a name where a node was that is only read, or a copy."""
+
+ALLOCATOR = re.compile(r"SaIS\w?_E")
+"""What the library adds to a container; its elements are named before."""
 
 BACK = re.compile(r"[RPOI]S[0-9A-Z]{0,9}_")
 """A reference, a pointer or a container of something that a name spelled out before.
@@ -31,11 +39,17 @@ BACK = re.compile(r"[RPOI]S[0-9A-Z]{0,9}_")
 More than nine digits stand nowhere: looking for an end at each S would take the square too.
 """
 
-TOKEN = re.compile(r"S[0-9A-Z]{0,9}_|T\d*_|L[a-z]n?\d+E|(?P<length>\d+)|.")
+TOKEN = re.compile(r"S[0-9A-Z]{0,9}_|(T|A|Dv)\d*_|L[a-z]n?\d+E|(?P<length>\d+)|.")
 """Pieces of a mangled name; an identifier is its length and that many letters.
 
 Source: Itanium C++ ABI, section 5.1, "External Names (a.k.a. Mangling)".
 """
+
+OPENING = frozenset("NIXJF")
+"""Tokens that an `E` closes."""
+
+HALF = re.compile(r"[RPOKVCGM_]|A\d*_")
+"""Tokens after which a type goes on: what follows is no parameter for itself."""
 
 TREE_WORK = re.compile(
     r"_ZN4AABB6extend|_ZNK?3BVH14getFaceIndices"
@@ -62,9 +76,37 @@ def speaks_of_nodes(name: str) -> bool:
     # `S_` is the first class that is named: the function's own one, if it has one.
     if words[: 1 if own.startswith("_ZN") else 2][-1:] != ["BVH"]:
         own = own.replace("NS_4Node", "")
-    rest = READ_NODES.sub("", own)
-    # `f(const Node&, Node&)` spells nodes out only once.
-    return TREE_TYPES.search(own if BACK.search(rest) else rest) is not None
+    own = ALLOCATOR.sub("", own)
+    rest = READ_NODES.sub(READ, _without_copies(own))
+    # `f(const Node&, Node&)` spells nodes out only once; what comes before means others.
+    back = BACK.search(rest.partition(READ)[2])
+    return TREE_TYPES.search(own if back else rest) is not None
+
+
+def _without_copies(name: str) -> str:
+    """Mark nodes that are given by value, unless a node may lie in something else as well.
+
+    Nor in templates, which name what they return.
+    """
+    at, depth, last = 2, 0, ""
+    has_head = is_marked = False
+    pieces = [name[:at]]
+    while token := TOKEN.match(name, at):
+        is_whole = not HALF.fullmatch(last) and depth == 0 and has_head
+        copy = COPY.match(name, at) if is_whole else None
+        if depth < 0 or (is_marked and not is_whole and BACK.match(f"R{token[0]}")):
+            return name
+        is_marked |= copy is not None
+        end = copy.end() if copy else token.end() + int((token["length"] or "0")[:6])
+        pieces.append(READ if copy else name[at:end])
+        if not copy:
+            depth += (token[0] in OPENING) - (token[0] == "E")
+        last, at = token[0], end
+        if not has_head and depth == 0 and (token["length"] or last == "E"):
+            has_head = True
+            if "I" in pieces or name.startswith("I", at):
+                return name
+    return "".join(pieces)
 
 
 def is_lifetime(name: str) -> bool:

@@ -2,7 +2,7 @@
 
 from grader.model.cases import BuildCase, SourceCase
 from grader.model.verdict import Evidence, Example
-from grader.verify.calls import CONSTRUCT, callees_of
+from grader.verify.calls import CONSTRUCT, callees_of, is_pointer
 from grader.verify.check import check, one
 from grader.verify.mangled import STANDARD, TREE_WORK, is_lifetime, speaks_of_nodes
 from grader.verify.walks import Callees, in_cycles, names_of, reachable, reverse
@@ -25,7 +25,7 @@ def construct_loops(case: SourceCase) -> Evidence:
     callees = callees_of(case.graph)
     called = reachable(callees, (CONSTRUCT,)) | {CONSTRUCT}
     for name in sorted(_recursive_builders(callees) & called):
-        if not STANDARD.match(name):
+        if not STANDARD.match(name) and not is_pointer(name):
             line = dict(case.graph.lines).get(name, 0)
             where = f"line {line}" if line else "a function that construct calls"
             text = f"{where}: this function calls itself, but construct must use a loop"

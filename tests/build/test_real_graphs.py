@@ -11,7 +11,7 @@ from tests.build.compilers import COMPILERS, Compile
 from tests.compiled import BEGIN, CONSTRUCT, INTERSECT, graph_of
 from tests.verify.builder import findings
 
-HEAD = BEGIN + "#include <functional>\n" + INTERSECT
+HEAD = BEGIN + "#include <functional>\n#include <thread>\n" + INTERSECT
 GROW = "nodes.push_back(Node{mesh.getBounds(), 0, 0});"
 OPEN = f"void BVH::construct(const Mesh& mesh) {{ {GROW} faceIndices.resize(9); "
 
@@ -52,6 +52,30 @@ RECURSIVE = {
         static void grow(const BVH::Node& n, const Mesh& mesh, uint32_t i) {
             all[i].bounds.extend(n.bounds.min); if (i) grow(all[i], mesh, i - 1); }
         """ + OPEN + "all = nodes.data(); grow(nodes[0], mesh, 3); }",
+    "a function of a copy of a node that writes to another one": """
+        static void grow(BVH::Node n, std::pair<int, BVH::Node>& all, uint32_t i) {
+            all.second = n; if (i) grow(n, all, i - 1); }
+        """ + OPEN + "std::pair<int, Node> all; grow(nodes[0], all, 3); }",
+    "a function that writes to a node after it has read it": """
+        struct State { std::vector<BVH::Node>& nodes; };
+        static void grow(State& s, uint32_t i) {
+            if (s.nodes[i].facesEnd < 3) s.nodes[i].facesEnd++; if (i) grow(s, i - 1); }
+        """ + OPEN + "State s{nodes}; grow(s, 3); }",
+    "a function that writes through a reference to a node": """
+        struct State { std::vector<BVH::Node>& nodes; };
+        static void grow(State& s, uint32_t i) {
+            float& x = s.nodes.back().bounds.max.x; x = 3; if (i) grow(s, i - 1); }
+        """ + OPEN + "State s{nodes}; grow(s, 3); }",
+    "a virtual function that prints what it catches": """
+        struct Step { virtual void run(std::vector<BVH::Node>& n, int d) {
+            try { n.push_back({}); } catch (const std::exception& e) { std::cerr << e.what(); }
+            if (Step* next = this; d) next->run(n, d - 1); } };
+        """ + OPEN + "Step s; s.run(nodes, 3); }",
+    "a function in a table of C's": """struct State; struct Ops { void (*step)(State*, int); };
+        struct State { const Ops* ops; std::vector<BVH::Node>* nodes; };
+        static void grow(State* s, int d) {
+            s->nodes->push_back({}); if (d) s->ops->step(s, d - 1); }
+        """ + OPEN + "Ops o{grow}; State s{&o, &nodes}; s.ops->step(&s, 3); }",
     "a function named ä": """static void ä(std::vector<BVH::Node>& n, int d) {
         n.push_back({}); if (d) ä(n, d - 1); }
         """ + OPEN + "ä(nodes, 3); }",
@@ -92,6 +116,33 @@ LOOPS = {
         std::function<void(uint32_t)> one = [&](uint32_t i) { nodes[i].facesEnd = 3; };
         std::function<void(uint32_t)> two = [&](uint32_t i) { nodes.push_back({}); one(i); };
         two(0); }""",
+    "a member function of a thread that prints what it catches": """
+        struct Builder { std::vector<BVH::Node>& nodes;
+            void work() { try { nodes.push_back({}); }
+                catch (const std::exception& e) { std::cerr << nodes.size() << e.what(); } }
+            void run() { std::thread(&Builder::work, this).join(); } };
+        """ + OPEN + "Builder b{nodes}; b.run(); }",
+    "virtual functions that delete themselves": """
+        struct Step { virtual ~Step() = default; virtual void run() = 0; };
+        struct Split : Step { std::vector<BVH::Node>& nodes;
+            explicit Split(std::vector<BVH::Node>& n) : nodes(n) {}
+            void run() override { nodes.push_back({}); delete static_cast<Step*>(this); } };
+        """ + OPEN + "Step* s = new Split(nodes); s->run(); }",
+    "a recursive quickselect that looks into nodes": """
+        struct State { std::vector<BVH::Node>& nodes; size_t i; };
+        static void select(State& s, uint32_t* a, uint32_t* b) {
+            const BVH::Node node = s.nodes[s.i];
+            const float x = s.nodes[s.i].bounds.extents().x;
+            if (b - a < 2 || s.nodes.at(s.i).facesEnd < s.nodes.back().facesEnd) return;
+            uint32_t* m = std::partition(a, b, [&](uint32_t f) { return f < x; });
+            select(s, a, m); select(s, m + (m == a), b); }
+        """ + OPEN + "State s{nodes, 0}; select(s, &faceIndices[0], &faceIndices[0] + 9); }",
+    "a recursive quickselect of records for a copy of a node": """struct Item { float x; };
+        static void select(std::vector<Item>& all, BVH::Node n, size_t a, size_t b) {
+            if (b - a < 2) return;
+            std::swap(all[a], all[n.facesEnd % b]);
+            select(all, n, a, b / 2); select(all, n, a + 1, b); }
+        """ + OPEN + "std::vector<Item> all(9); select(all, nodes[0], 0, 9); }",
     "functions named ä and ö": """static void ä(BVH::Node& n) { n.facesEnd = 3; }
         static void ö(BVH::Node& n) { ä(n); }
         """ + OPEN + "ö(nodes[0]); }",
