@@ -1,8 +1,9 @@
 """Which row of a teacher's file belongs to which result? Never by a guess.
 
-A result is looked for under the strongest name that its folder and the file share; if it is not
-there, weaker names do not count, since two people may have one name. What is there twice, in
-the file or in the folder, is matched with nothing.
+Where a platform says whose a result is, it is looked for under the strongest name that the file
+has a column for; if it is not there, weaker names do not count, since two people may have one
+name. Where a course named the folder, that name may be of any kind. What is there twice, in the
+file or in the folder, or fits two rows, is matched with nothing.
 """
 
 import re
@@ -70,20 +71,18 @@ def places_of(
     marked: Marked, columns: Columns, known: dict[tuple[str, str], set[int]]
 ) -> set[int]:
     """Find the rows that may be meant by a result."""
-    for field, name in names_of(marked, columns):
-        if places := known.get((field, name)):
-            return places
-    return set()
+    return {place for name in names_of(marked, columns) for place in known.get(name, set())}
 
 
 def names_of(marked: Marked, columns: Columns) -> Iterator[tuple[str, str]]:
-    """List under which names a result is looked for, the strongest first."""
-    for field, _ in columns.ids:
-        if name := comparable(field, getattr(marked.ids, field)):
-            yield field, name
-            if not marked.ids.account:
-                # A platform made the folder's name: its number decides, if the file has it.
-                return
+    """List under which names a result is looked for."""
+    decides: tuple[int, ...] | None = None
+    for field, numbers in columns.ids:
+        names = set(filter(None, (comparable(field, n) for n in marked.ids.called(field))))
+        if not names or (decides not in (None, numbers) and not marked.ids.is_any_name):
+            continue
+        decides = numbers
+        yield from ((field, name) for name in sorted(names))
 
 
 def comparable(field: str, name: str) -> str:

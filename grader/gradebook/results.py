@@ -37,8 +37,8 @@ _READ = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC
 class Ids:
     """What a course's own file may call a student; empty where the folder does not tell."""
 
-    account: str = ""
-    """A login name, an address, a number: the folder's name if no platform made it."""
+    accounts: tuple[str, ...] = ()
+    """Logins, addresses, numbers: the folder's name if no platform made it."""
 
     participant: str = ""
     """Moodle's number of the participant in this assignment."""
@@ -47,6 +47,17 @@ class Ids:
     """Canvas's number of the user."""
 
     full_name: str = ""
+
+    def called(self, field: str) -> tuple[str, ...]:
+        """List what stands in one of these fields."""
+        if field == "account":
+            return self.accounts
+        return tuple(filter(None, [getattr(self, field)]))
+
+    @property
+    def is_any_name(self) -> bool:
+        """Nobody says what kind of name it is: a course named the folder."""
+        return self.full_name in self.accounts
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,12 +93,15 @@ def _known_by_batch(path: Path, folder: Path) -> Ids | None:
     if not (folder / STORE).is_file() or path.parents[1] != folder / STUDENTS:
         return None
     known = read_json(path.with_name(STUDENT), LARGEST_NAMES, 1)
-    id, email, layout = (str(known.get(each, "")) for each in ("id", "email", "layout"))
+    keys = ("name", "id", "email", "layout")
+    name, id, email, layout = (str(known.get(each, "")) for each in keys)
+    # Moodle's and Canvas's own numbers are no accounts: somebody else's ID number may be equal.
+    accounts = {"Moodle": (), "Canvas": (), "Gradescope": (id, email)}.get(layout, (name,))
     return Ids(
-        account=id or email or str(known.get("name", "")),
+        accounts=tuple(filter(None, accounts)),
         participant=id if layout == "Moodle" else "",
         canvas=id if layout == "Canvas" else "",
-        full_name=str(known.get("name", "")),
+        full_name=name,
     )
 
 
@@ -162,7 +176,7 @@ def ids_of(name: str) -> Ids:
         return Ids(participant=mark.participant, full_name=mark.full_name)
     if found := _CANVAS.match(name):
         return Ids(canvas=found["canvas"])
-    return Ids(account=name, canvas=name if name.isdecimal() else "", full_name=name)
+    return Ids(accounts=(name,), canvas=name if name.isdecimal() else "", full_name=name)
 
 
 def read_result(path: Path) -> Json:

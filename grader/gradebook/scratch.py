@@ -53,7 +53,7 @@ def download(host: str) -> str:
 
 def moodle(given: Sequence[Marked], words: Words) -> list[str]:
     """Write a file for Moodle's gradebook: who, points, feedback, and always all three."""
-    unknown = [marked.student for marked in given if not marked.ids.account]
+    unknown = [marked.student for marked in given if not marked.ids.accounts]
     if unknown:
         raise UsageError(
             f"{unknown[0]}: this folder of an assignment tells no login; {download('moodle')}"

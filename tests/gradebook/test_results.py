@@ -7,9 +7,8 @@ import pytest
 
 from grader.errors import UsageError
 from grader.gradebook.results import Ids, ids_of, results_in
-from grader.report.as_json import to_text
-from tests.gradebook.folders import CLASS, write_class
-from tests.report import real, samples
+from tests.gradebook.folders import CLASS, write_batch, write_class
+from tests.report import real
 
 
 def test_every_result_is_found_in_order(tmp_path: Path) -> None:
@@ -29,7 +28,7 @@ def test_a_submission_s_own_name_is_nobody_s_id(tmp_path: Path) -> None:
     result["submission"]["name"] = "ada"
     path.write_text(json.dumps(result))
     (one,) = results_in(tmp_path)
-    assert "ada" not in (one.student, one.ids.account, one.ids.full_name)
+    assert "ada" not in (one.student, one.ids.full_name, *one.ids.accounts)
 
 
 @pytest.mark.parametrize(
@@ -98,8 +97,8 @@ def test_no_link_is_followed(tmp_path: Path) -> None:
         ("lovelaceada_9001_55_exercise03", Ids(canvas="9001")),
         ("lovelaceada_9001_55_a_1_assignsubmission_file_x", Ids(canvas="9001")),
         ("lovelaceada_LATE_9001_55_x_9002_56_y", Ids(canvas="9001")),
-        ("ada@uni.example", Ids(account="ada@uni.example", full_name="ada@uni.example")),
-        ("9001", Ids(account="9001", canvas="9001", full_name="9001")),
+        ("ada@uni.example", Ids(accounts=("ada@uni.example",), full_name="ada@uni.example")),
+        ("9001", Ids(accounts=("9001",), canvas="9001", full_name="9001")),
     ],
 )
 def test_a_platform_s_name_of_a_folder_is_understood(name: str, ids: Ids) -> None:
@@ -154,20 +153,18 @@ def test_a_whole_class(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("layout", "ids"),
     [
-        ("Moodle", Ids("77", participant="77", full_name="Ada L")),
-        ("Canvas", Ids("77", canvas="77", full_name="Ada L")),
-        ("Gradescope", Ids("77", full_name="Ada L")),
+        ("Moodle", Ids(participant="77", full_name="Ada L")),
+        ("Canvas", Ids(canvas="77", full_name="Ada L")),
+        ("Gradescope", Ids(("77", "a@b.c"), full_name="Ada L")),
+        ("GitHub Classroom", Ids(("Ada L",), full_name="Ada L")),
+        ("plain", Ids(("Ada L",), full_name="Ada L")),
     ],
 )
 def test_a_batch_says_whose_a_folder_is(tmp_path: Path, layout: str, ids: Ids) -> None:
     """Names of its folders are made safe, so that they no longer tell it."""
-    folder = tmp_path / "students/ada-l-77"
-    folder.mkdir(parents=True)
-    (folder / "result.json").write_text(to_text(samples.perfect()))
-    known = {"schema": 1, "name": "Ada L", "id": "77", "email": "a@b.c", "layout": layout}
-    (folder / "student.json").write_text(json.dumps(known))
-    (one,) = results_in(tmp_path)
-    assert one.ids.account == "ada-l-77", "a file of a student's says nothing"
-    (tmp_path / "batch.sqlite").touch()
+    write_batch(tmp_path, layout, {"ada-l-77": ("Ada L", "77", "a@b.c")})
     (one,) = results_in(tmp_path)
     assert one.ids == ids
+    (tmp_path / "batch.sqlite").unlink()
+    (one,) = results_in(tmp_path)
+    assert one.ids.accounts == ("ada-l-77",), "a file of a student's says nothing"
