@@ -1,7 +1,7 @@
 """Which list can be made without a teacher's file? One for Moodle's gradebook, and a plain one.
 
-Moodle imports nothing at all if it does not know one user of the file, so a student whose
-folder tells no login and no address cannot be in it. A score that is withheld is left out too.
+Moodle imports nothing at all if it does not know one user of the file, so no list is made if of
+one student only a platform's own number is known. A score that is withheld is left out there.
 """
 
 from collections import Counter
@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from grader.errors import UsageError
 from grader.gradebook.feedback import feedback_cell
 from grader.gradebook.fill import Filled
-from grader.gradebook.results import Marked
+from grader.gradebook.results import Ids, Marked
 from grader.language import Words
 from grader.report.escape import for_csv
 
@@ -19,6 +19,7 @@ ITEM = "Exercise 3 BVH"
 DOWNLOADS = {
     "moodle": 'the assignment\'s "Download grading worksheet"',
     "canvas": 'Grades > Export > "Export Entire Gradebook"',
+    "csv": "a list of your own",
 }
 
 
@@ -26,13 +27,19 @@ def made(host: str, given: Sequence[Marked], words: Words) -> Filled:
     """Make a list of all results.
 
     Raises:
-        UsageError: The host needs a file of its own.
+        UsageError: The host needs a file of its own, or it is not known who a student is.
     """
     if host == "canvas":
         raise UsageError(f"Canvas knows students by its own numbers; {download(host)}")
-    twice = {name for name, times in Counter(m.student for m in given).items() if times > 1}
-    problems = [f"{name}: several results, none is taken" for name in sorted(twice)]
-    single = [marked for marked in given if marked.student not in twice]
+    if unknown := [marked.student for marked in given if not marked.ids.accounts]:
+        raise UsageError(
+            f"{unknown[0]}: neither login nor address is known, only a platform's own number; "
+            f"{download(host)}"
+        )
+    times = Counter(account(marked.ids) for marked in given)
+    twice = sorted(name for name, count in times.items() if count > 1)
+    problems = [f"{name}: several results, none is taken" for name in twice]
+    single = [marked for marked in given if account(marked.ids) not in twice]
     if host == "csv":
         lines = plain(single, words)
     else:
@@ -46,6 +53,11 @@ def made(host: str, given: Sequence[Marked], words: Words) -> Filled:
     return Filled(data, len(lines) - 1, len(lines) - 1, (), tuple(problems))
 
 
+def account(ids: Ids) -> str:
+    """Say who a student is: by an address, if one is known."""
+    return next((each for each in ids.accounts if "@" in each), ids.accounts[0])
+
+
 def download(host: str) -> str:
     """Say which file to get."""
     return f"give {DOWNLOADS[host]} with --worksheet"
@@ -53,20 +65,16 @@ def download(host: str) -> str:
 
 def moodle(given: Sequence[Marked], words: Words) -> list[str]:
     """Write a file for Moodle's gradebook: who, points, feedback, and always all three."""
-    unknown = [marked.student for marked in given if not marked.ids.accounts]
-    if unknown:
-        raise UsageError(
-            f"{unknown[0]}: this folder of an assignment tells no login; {download('moodle')}"
-        )
-    addresses = ["@" in marked.student for marked in given]
+    accounts = [account(marked.ids) for marked in given]
+    addresses = ["@" in each for each in accounts]
     if any(addresses) and not all(addresses):
-        other = given[addresses.index(False)].student
+        other = accounts[addresses.index(False)]
         raise UsageError(f"{other} is no address, but others are; {download('moodle')}")
     who = "Email address" if any(addresses) else "Username"
     lines = [f"{who},{ITEM},{ITEM} (feedback)"]
-    for marked in given:
+    for name, marked in zip(accounts, given, strict=True):
         cell = feedback_cell(marked.result, "moodle", words)
-        lines.append(f"{for_csv(marked.student)},{marked.result['score']:.10g},{cell}")
+        lines.append(f"{for_csv(name)},{marked.result['score']:.10g},{cell}")
     return lines
 
 
@@ -82,5 +90,5 @@ def plain(given: Sequence[Marked], words: Words) -> list[str]:
         cells = ["" if value is None else f"{value:.10g}" for value in known]
         review = "yes" if result["needs_review"] else "no"
         feedback = feedback_cell(result, "csv", words)
-        lines.append(",".join([for_csv(marked.student), *cells, review, feedback]))
+        lines.append(",".join([for_csv(account(marked.ids)), *cells, review, feedback]))
     return lines

@@ -1,11 +1,14 @@
 """Lists that need no file of a teacher: what may be made, and what has to be downloaded."""
 
+from pathlib import Path
+
 import pytest
 
 from grader.errors import UsageError
-from grader.gradebook.results import Marked, ids_of
+from grader.gradebook.results import Marked, ids_of, results_in
 from grader.gradebook.scratch import made
 from tests.gradebook import rules
+from tests.gradebook.folders import write_batch
 from tests.report import real
 
 USERS = {"ada@uni.example": "right", "bob@uni.example": "first-hit-wins"}
@@ -52,6 +55,11 @@ def test_logins_are_called_so() -> None:
     [
         ("canvas", {"ada": "right"}, 'Export Entire Gradebook" with --worksheet'),
         ("moodle", {"Ada_1_assignsubmission_file": "right"}, "Download grading worksheet"),
+        (
+            "csv",
+            {"adal_9001_55_x": "right"},
+            "neither login nor.*a list of your own with --work",
+        ),
         ("moodle", {"ada@uni.example": "right", "bob": "right"}, "bob is no address"),
     ],
 )
@@ -61,6 +69,23 @@ def test_what_has_to_be_downloaded_is_told(
     """One unknown user would abort Moodle's whole import."""
     with pytest.raises(UsageError, match=said):
         made(host, a_class(students), str)
+
+
+@pytest.mark.parametrize("host", ["moodle", "csv"])
+def test_a_batch_s_folders_are_no_user_names(tmp_path: Path, host: str) -> None:
+    """They are names that were made safe; who it is stands beside the result."""
+    students = {
+        "ada-l-777": ("Ada L", "777", "ada@uni.example"),
+        "bob-b": ("Bob B", "", "bob@uni.example"),
+    }
+    written = write_batch(tmp_path / "gradescope", "Gradescope", students)
+    rows = rules.read(made(host, results_in(written), str).data, ",")
+    assert [row[0] for row in rows[1:]] == ["ada@uni.example", "bob@uni.example"]
+    written = write_batch(tmp_path / "plain", "plain", {"jorg-m": ("jörg.m", "", "")})
+    assert rules.read(made(host, results_in(written), str).data, ",")[1][0] == "jörg.m"
+    written = write_batch(tmp_path / "moodle", "Moodle", {"ada-l-101": ("Ada L", "101", "")})
+    with pytest.raises(UsageError, match=r"ada-l-101: neither login nor address.*--worksheet"):
+        made(host, results_in(written), str)
 
 
 def test_a_plain_list_has_every_student() -> None:
