@@ -27,6 +27,9 @@ class Words:
 
     maximum: str = ""
     changeable: str = ""
+    own: tuple[str, int] = ("", -1)
+    """Field of `Ids` with the host's own number, and its column, whatever the language."""
+
     never: str = "course total.*|kurs gesamt.*|.*\\(read only\\)"
     """Looks like a grade's column and is the host's own."""
 
@@ -46,6 +49,7 @@ HOSTS: Mapping[str, Words] = {
         feedback="feedback comments|feedback als kommentar|.*\\(feedback\\)",
         maximum="maximum grade|bestwertung",
         changeable="grade can be changed|bewertung kann geändert werden",
+        own=("participant", 0),
     ),
     "canvas": Words(
         ids=(
@@ -54,6 +58,7 @@ HOSTS: Mapping[str, Words] = {
             ("full_name", "student"),
         ),
         grade=".+ \\(\\d+\\)",
+        own=("canvas", 1),
     ),
     "csv": Words(
         ids=(
@@ -125,7 +130,8 @@ def id_columns(
 ) -> tuple[tuple[str, tuple[int, ...]], ...]:
     """Find the columns that say who a row is."""
     if asked:
-        return (("account", (named(header, asked),)), ("full_name", (named(header, asked),)))
+        column = named(header, asked)
+        return tuple((field, (column,)) for field in fields_in(column, header, words))
     found = [(field, tuple(called(header, pattern))) for field, pattern in words.ids]
     ids = tuple((field, columns) for field, columns in found if columns)
     if not ids:
@@ -134,6 +140,16 @@ def id_columns(
             f"no column says who a row is, only {listed(others)}; name it with --id-column"
         )
     return ids
+
+
+def fields_in(column: int, header: Sequence[str], words: Words) -> list[str]:
+    """List which fields of `Ids` may stand in a column that a teacher named."""
+    known = [field for field, pattern in words.ids if column in called(header, pattern)]
+    own, place = words.own
+    # Not under a known header: a user name may end with somebody else's number.
+    if not known and column == place:
+        known = [own]
+    return list(dict.fromkeys([*known, "account", "full_name"]))
 
 
 def grade_column(header: Sequence[str], words: Words, asked: str) -> int:

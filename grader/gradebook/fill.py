@@ -52,7 +52,8 @@ def filled(
     rows = students(table, host, columns)
     found = matched(rows, columns, given)
     if not found.pairs:
-        raise UsageError(f"no row has any of the {len(given)} students; {found.problems[0]}")
+        told = "\n".join(found.problems)
+        raise UsageError(f"no row has any of the {len(given)} students\n{told}")
     comma = writes_commas(table, columns)
     problems = list(found.problems)
     for place, marked in found.pairs:

@@ -187,7 +187,7 @@ def test_canvas_s_points_possible_are_compared() -> None:
 
 def test_a_file_of_another_class_is_refused() -> None:
     """Not one of the students is in it."""
-    with pytest.raises(UsageError, match="no row has any of the 1 students; eve: no row"):
+    with pytest.raises(UsageError, match="no row has any of the 1 students\neve: no row"):
         fill(sheets.ENGLISH, "moodle", a_class(eve="right"))
 
 

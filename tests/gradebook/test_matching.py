@@ -9,8 +9,8 @@ from grader.errors import UsageError
 from grader.gradebook.columns import Asked
 from grader.gradebook.results import results_in
 from tests.gradebook import rules, sheets
-from tests.gradebook.folders import write_batch
-from tests.gradebook.test_fill import fill
+from tests.gradebook.folders import CLASS, write_batch, write_class
+from tests.gradebook.test_fill import a_class, fill
 
 
 def test_a_batch_s_namesake_gets_no_points(tmp_path: Path) -> None:
@@ -57,3 +57,22 @@ def test_gradescope_tells_number_and_address(tmp_path: Path) -> None:
         "bob: rows 3, 4 may all be meant",
         "cy: no row has this student",
     )
+
+
+def test_a_number_stands_where_the_host_writes_it_in_any_language(tmp_path: Path) -> None:
+    """A French header says nothing here, but who names the column means what is in it."""
+    whole_class = results_in(write_class(tmp_path, CLASS))
+    text = sheets.ENGLISH.replace("Identifier", "Identifiant").replace("Full name", "Nom")
+    asked = Asked(id="Identifiant")
+    assert fill(text, "moodle", whole_class, asked).filled == 4
+    assert fill(text, "moodle", whole_class, replace(asked, id="Nom")).filled == 2
+    text = sheets.CANVAS.replace("Student,ID,", "Étudiant,Numéro,")
+    given = a_class(lovelaceada_9001_55_x="right")
+    asked = Asked(grade="Exercise 3 BVH", id="Numéro")
+    assert fill(text, "canvas", given, asked).filled == 1
+
+
+def test_everybody_is_told_if_nobody_is_in_a_file() -> None:
+    """The first one may be the only one who is rightly missing."""
+    with pytest.raises(UsageError, match="bob: no row has this student\neve: no row"):
+        fill("email,score\nada,\n", "csv", a_class(bob="right", eve="right"))
