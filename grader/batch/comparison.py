@@ -54,15 +54,20 @@ def compared(before: Json, after: Json) -> Change | None:
 
 
 def changes(
-    store: Store, before: Settings, after: Settings
+    store: Store, first: Settings, second: Settings
 ) -> Iterator[tuple[Student, Change | None]]:
-    """Compare what two settings give everybody who has a result of both."""
+    """Compare what two settings give everybody who has a result of the second."""
     for student in store.students():
         if student.sha256 is None:
             continue
-        old, new = (store.result(student.sha256, each) for each in (before, after))
-        if old is not None and new is not None:
-            yield student, compared(json.loads(old.text), json.loads(new.text))
+        old, new = (store.result(student.sha256, each) for each in (first, second))
+        if new is None:
+            continue
+        after = json.loads(new.text)
+        if old is None:
+            yield student, Change("no result", points(after), ())
+        else:
+            yield student, compared(json.loads(old.text), after)
 
 
 def lines(change: Change) -> list[str]:

@@ -166,6 +166,8 @@ class Batch:
         sha256 = student.sha256 or ""
         try:
             self.store.keep(sha256, self.job.settings, news.result)
+            if not self.job.preview:
+                self.store.forgive(self.job.settings)
         except OutputFault as fault:
             self._trouble(f"{student.name}: the result is lost, grade again: {fault}")
             return
@@ -195,6 +197,7 @@ class Batch:
 
     def write(self) -> Totals:
         """Write the folders that do not hold what the store knows, and the table."""
+        self.store.forgive(self.job.settings)
         self._write(self.store.unwritten(self.job.settings))
         return self.tabulate()
 

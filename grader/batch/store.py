@@ -100,10 +100,18 @@ class Store:
     def ungraded(self, settings: Settings) -> Iterator[Student]:
         """One student for each file that has no result yet."""
         yield from self._students(
-            "fault = '' AND sha256 IS NOT NULL AND "
+            "sha256 IS NOT NULL AND "
             "sha256 NOT IN (SELECT sha256 FROM result WHERE settings = ?) AND NOT "
             "EXISTS (SELECT 1 FROM student AS other WHERE other.sha256 = student.sha256 AND "
-            "other.fault = '' AND other.slug < student.slug)",
+            "other.slug < student.slug)",
+            settings.digest,
+        )
+
+    def without_points(self, settings: Settings) -> Iterator[Student]:
+        """Everybody who has no points with these settings, because of us."""
+        yield from self._students(
+            "CASE WHEN sha256 IS NULL THEN fault != '' ELSE sha256 NOT IN (SELECT sha256 "
+            "FROM result WHERE settings = ? AND json_extract(text, '$.score') IS NOT NULL) END",
             settings.digest,
         )
 
@@ -118,6 +126,15 @@ class Store:
     def unwritten(self, settings: Settings) -> Iterator[Student]:
         """Those whose folder does not hold the result of these settings."""
         yield from self._students("written != ?", settings.digest)
+
+    def forgive(self, settings: Settings) -> None:
+        """Drop what went wrong before with files that are graded now."""
+        with self.changes():
+            self._base.execute(
+                "UPDATE student SET fault = '', written = '' WHERE fault != '' AND sha256 IN "
+                "(SELECT sha256 FROM result WHERE settings = ?)",
+                (settings.digest,),
+            )
 
     def keep(self, sha256: str, settings: Settings, result: Result) -> None:
         """Write down a result; one that is there stays."""

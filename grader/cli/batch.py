@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from grader.batch.records import Student
     from grader.batch.store import Store
     from grader.batch.table import Totals
+    from grader.cli.live import Lines
 
 
 @click.command()
@@ -73,6 +74,13 @@ def batch(folder_or_zip: Path | None, output: Path, **given: Any) -> None:  # no
     from grader.batch.job import Job
     from grader.batch.settings import Wish, settled
 
+    if given["regrade"] and folder_or_zip is not None:
+        raise UsageError(
+            f"--regrade grades what {output} holds, and nothing of {folder_or_zip}; leave that "
+            "out, or grade it into another folder"
+        )
+    if not given["regrade"] and (folder_or_zip is None or given["apply"]):
+        raise UsageError("name the folder or zip of a class; --apply goes with --regrade")
     wish = Wish(
         given["seed"], given["rubric"], given["time_limit"], not given["unsafe_no_isolation"]
     )
@@ -82,10 +90,8 @@ def batch(folder_or_zip: Path | None, output: Path, **given: Any) -> None:  # no
         job = Job(
             folder, settled(wish), wish, given["jobs"], language, scheduler=given["scheduler"]
         )
-        if given["regrade"]:
+        if folder_or_zip is None:
             raise Exit(regraded(replace(job, preview=True), given["apply"]))
-        if folder_or_zip is None or given["apply"]:
-            raise UsageError("name the folder or zip of a class; --apply goes with --regrade")
         raise Exit(graded(folder_or_zip, job))
 
 
@@ -106,24 +112,29 @@ def graded(path: Path, job: "Job") -> int:
                 batch.read(class_)
                 batch.grade()
                 totals = batch.write()
-            except WorkerFault as fault:
+            except (WorkerFault, KeyboardInterrupt) as fault:
                 batch.tabulate()
-                watch.say(f"bvhgrade: {fault}")
-                watch.say("what was graded is kept, and the same command goes on")
-                return OUR_FAULT
-            except KeyboardInterrupt as fault:
-                batch.tabulate()
-                watch.say("interrupted; what was graded is kept, and the same command goes on")
-                status: int = getattr(fault, "status", INTERRUPTED)
-                return status
+                return ended_early(watch, fault)
     return told(job, totals, batch.troubles)
+
+
+def ended_early(watch: "Lines", fault: WorkerFault | KeyboardInterrupt) -> int:
+    """Say why not all was graded, and what is kept; the exit status."""
+    kept = "what was graded is kept, and the same command goes on"
+    if isinstance(fault, WorkerFault):
+        watch.say(f"bvhgrade: {fault}")
+        watch.say(kept)
+        return OUR_FAULT
+    watch.say(f"interrupted; {kept}")
+    status: int = getattr(fault, "status", INTERRUPTED)
+    return status
 
 
 def regraded(job: "Job", apply: bool) -> int:
     """Grade what the store holds with other settings; the exit status.
 
     Raises:
-        UsageError: There is nothing to compare with, or not all could be graded.
+        UsageError: There is nothing to compare with.
     """
     from grader.batch.comparison import changes
     from grader.batch.runner import Batch
@@ -137,12 +148,18 @@ def regraded(job: "Job", apply: bool) -> int:
         store.know(job.settings)
         with shown_class() as watch:
             batch = Batch(job, store, watch)
-            batch.grade()
+            try:
+                batch.grade()
+            except (WorkerFault, KeyboardInterrupt) as fault:
+                return ended_early(watch, fault)
         tell_changes(changes(store, before, job.settings))
-        missing = sum(1 for _ in store.ungraded(job.settings))
-        if missing or not apply:
-            say(f"{missing:,} not graded anew; nothing was changed; --apply makes it so")
-            return OUR_FAULT if missing else FULL_MARKS
+        if missing := tell_missing(store.without_points(job.settings)):
+            kept = "so nothing was changed; the same command goes on"
+            say(f"{missing:,} not graded anew, {kept}")
+            return OUR_FAULT
+        if not apply:
+            say("nothing was changed; --apply makes it so")
+            return FULL_MARKS
         store.make_current(job.settings)
         batch.job = replace(job, preview=False)
         return told(job, batch.write(), batch.troubles)
@@ -162,6 +179,19 @@ def tell_changes(found: "Iterable[tuple[Student, Change | None]]") -> None:
         for line in checks:
             click.echo(f"    {line_for_terminal(line)}")
     say(f"{same:,} stay as they are")
+
+
+def tell_missing(students: "Iterable[Student]") -> int:
+    """Name everybody who could not be graded anew; how many there are."""
+    missing = list(students)
+    for student in missing:
+        unread = (
+            ""
+            if student.sha256
+            else ", since its file was never read; grade the download again"
+        )
+        say(f"{student.name}: not graded anew{unread}")
+    return len(missing)
 
 
 def tell_of(class_: "Arrangement") -> None:

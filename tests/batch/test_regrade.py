@@ -1,5 +1,6 @@
 """A new rubric, seed or grader: who would change, and why, is shown before it is applied."""
 
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -8,11 +9,14 @@ import pytest
 from grader.batch.comparison import compared, lines, provenance_changes
 from grader.batch.job import Job
 from grader.batch.store import opened_store
+from grader.batch.work import Order, Refused
 from grader.cli.batch import regraded
 from grader.errors import UsageError
+from grader.kept import Result, kept
 from grader.report.as_json import to_json
 from tests.batch.classes import CODE, folder_of, grade, points
 from tests.batch.stand_in import SETTINGS, begun, job
+from tests.cli.calls import call
 from tests.report import samples
 
 
@@ -109,11 +113,93 @@ def test_what_could_not_be_graded_anew_keeps_all_as_it_is(tmp_path: Path, log: P
     with opened_store(out) as store:
         ada = next(store.students())
         store.put(replace(ada, sha256="0" * 64, path="exercise03.cpp"), b"raise")
-    old = job(out)
-    new = replace(old, settings=replace(SETTINGS, seed=7), preview=True)
-    assert regraded(new, apply=True) == 3
+    assert regraded(anew(out), apply=True) == 3
     with opened_store(out) as store:
         assert store.current() == SETTINGS
+
+
+def test_points_withheld_anew_keep_all_as_it_is(
+    tmp_path: Path, log: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Who has points keeps them, and the next try grades only what was withheld."""
+    path = folder_of(tmp_path, "class", {"ada.cpp": "withheld once", "bob.cpp": "wrong"})
+    out = tmp_path / "out"
+    log.write_text("withheld once\n")
+    grade(path, job(out))
+    log.unlink()
+    before = points(out)
+    assert before["ada"] == 50
+    assert regraded(anew(out), apply=True) == 3
+    said = capsys.readouterr().out
+    assert "ada: not graded anew\n" in said
+    assert said.endswith(
+        "1 not graded anew, so nothing was changed; the same command goes on\n"
+    )
+    assert points(out) == before
+    assert regraded(anew(out), apply=True) == 0
+    assert begun(log) == ["withheld once", "wrong", "withheld once"]
+
+
+def test_what_we_failed_at_before_is_tried_anew(tmp_path: Path, log: Path) -> None:
+    """Its bytes are in the store; once it is graded nothing tells of the fault any more."""
+    path = folder_of(tmp_path, "class", {"ada.cpp": "raise", "bob.cpp": CODE})
+    out = tmp_path / "out"
+    grade(path, job(out))
+    assert points(out) == {"ada": None, "bob": 50}
+    assert regraded(anew(out), apply=True) == 3
+    assert begun(log).count("raise") == 2
+    healed = replace(anew(out), entry="tests.batch.test_regrade:perfect")
+    assert regraded(healed, apply=True) == 0
+    assert points(out) == {"ada": 50, "bob": 50}
+    assert "not graded" not in (out / "class.csv").read_text()
+    with opened_store(out) as store:
+        assert not [one for one in store.students() if one.fault or not one.written]
+
+
+def test_a_file_that_was_never_read_keeps_all_as_it_is(
+    tmp_path: Path, log: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """It could not be graded by the new rules either."""
+    out = tmp_path / "out"
+    grade(folder_of(tmp_path, "class", {"ada.cpp": " ", "bob.cpp": CODE}), job(out))
+    with opened_store(out) as store:
+        ada = next(store.students())
+        store.put(replace(ada, reason="", fault="it could not be read: gone"), b"")
+    assert regraded(anew(out), apply=True) == 3
+    assert "ada: not graded anew, since its file was never read" in (capsys.readouterr().out)
+
+
+def test_a_fault_of_the_cluster_says_what_is_kept(
+    new: Job, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """As it does when a class is graded for the first time."""
+    refused = replace(new, entry="tests.batch.test_regrade:refused")
+    assert regraded(refused, apply=True) == 3
+    told = capsys.readouterr().err
+    assert "bvhgrade: another machine" in told
+    assert "what was graded is kept, and the same command goes on" in told
+
+
+def test_a_download_has_no_place_in_a_regrade(tmp_path: Path) -> None:
+    """It was passed over without a word; nothing is looked at, let alone graded."""
+    ended = call("batch", str(tmp_path), "-o", str(tmp_path / "out"), "--regrade")
+    assert ended.exit_code == 2
+    assert "--regrade grades what" in ended.output
+
+
+def anew(folder: Path) -> Job:
+    """The class of a folder with another seed."""
+    return replace(job(folder), settings=replace(SETTINGS, seed=7), preview=True)
+
+
+def perfect(order: Order, tell: Callable[[str], None]) -> Result:
+    """Do what a clerk does, without a fault."""
+    return kept(replace(samples.perfect(), submission=order.submission))
+
+
+def refused(order: Order, tell: Callable[[str], None]) -> Refused:
+    """Grade nothing, as a machine does that would grade otherwise."""
+    return Refused("another machine")
 
 
 def test_there_has_to_be_something_to_compare_with(tmp_path: Path) -> None:
