@@ -1,7 +1,8 @@
 """How does a teacher see a class being graded? As a live table, or as few lines in a pipe."""
 
 import sys
-from collections.abc import Iterator
+import time
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
@@ -60,17 +61,24 @@ class Lines:
 
 
 class LiveTable(Lines):
-    """Shows each clerk's submission and stage, and the last that were finished."""
+    """Shows each clerk's submission and stage, how far the class is, and how fast."""
 
-    def __init__(self, live: "Live") -> None:
+    def __init__(self, live: "Live", clock: Callable[[], float] = time.monotonic) -> None:
         """Take the place where it is shown."""
         super().__init__()
-        self._live = live
+        self._live, self._clock = live, clock
+        self._began = clock()
+        self._withheld = 0
         self._stages: dict[str, tuple[str, str]] = {}
 
     def reading(self, done: int, total: int) -> None:
         """Show how many files were read."""
         self._live.update(f"reading {done:,} of {total:,}")
+
+    def grading(self, total: int) -> None:
+        """Begin to measure how fast it is."""
+        super().grading(total)
+        self._began, self._withheld = self._clock(), 0
 
     def stage(self, student: "Student", stage: str) -> None:
         """Show what happens to a submission."""
@@ -80,6 +88,7 @@ class LiveTable(Lines):
     def finished(self, student: "Student", score: float | None, most: float) -> None:
         """Print the points above the table."""
         self.done += 1
+        self._withheld += score is None
         self._stages.pop(student.slug, None)
         self.say(worded(student, score, most))
         self._show()
@@ -89,18 +98,41 @@ class LiveTable(Lines):
         self._live.console.print(line_for_terminal(line), markup=False, highlight=False)
 
     def _show(self) -> None:
-        self._live.update(self._table())
+        from rich.console import Group
+        from rich.text import Text
+
+        # No title of the table: it would be broken to the width of few short names.
+        self._live.update(Group(Text(self._state()), self._table()))
+
+    def _state(self) -> str:
+        """Count what is done, running and withheld; tell how fast it goes and how long yet."""
+        parts = [f"{self.done:,} of {self.total:,} graded", f"{len(self._stages):,} running"]
+        parts += [f"{self._withheld:,} withheld"]
+        seconds = self._clock() - self._began
+        if self.done and seconds > 0:
+            parts += [f"{60 * self.done / seconds:.1f} a minute"]
+            parts += [left((self.total - self.done) * seconds / self.done)]
+        return ", ".join(parts)
 
     def _table(self) -> "Table":
         from rich.table import Table
         from rich.text import Text
 
-        table = Table(title=f"{self.done:,} of {self.total:,} graded", title_justify="left")
+        table = Table()
         table.add_column("submission", max_width=40, no_wrap=True)
         table.add_column("stage", min_width=20, no_wrap=True)
         for name, stage in list(self._stages.values()):
             table.add_row(Text(line_for_terminal(name)), Text(line_for_terminal(stage)))
         return table
+
+
+def left(seconds: float) -> str:
+    """Word how long it will take, as exactly as one knows."""
+    minutes = round(seconds / 60)
+    if minutes < 1:
+        return "less than a minute left"
+    hours, rest = divmod(minutes, 60)
+    return f"about {f'{hours} h ' if hours else ''}{rest} min left"
 
 
 def worded(student: "Student", score: float | None, most: float) -> str:

@@ -3,7 +3,7 @@
 import io
 
 import pytest
-from rich.console import Console
+from rich.console import Console, Group
 from rich.live import Live
 
 from grader.batch.records import Student
@@ -60,6 +60,36 @@ def test_the_table_shows_who_is_being_graded() -> None:
         console.print(live.renderable)
     told = console.file
     assert isinstance(told, io.StringIO)
-    assert "1 of 2 graded" in told.getvalue()
+    assert "1 of 2 graded, 1 running" in told.getvalue()
     assert "bob" in told.getvalue()
     assert "ada" not in told.getvalue()
+
+
+@pytest.mark.parametrize(
+    ("seconds", "said"),
+    [
+        (30, "2 of 10 graded, 1 running, 1 withheld, 4.0 a minute, about 2 min left"),
+        (3, "2 of 10 graded, 1 running, 1 withheld, 40.0 a minute, less than a minute left"),
+        (1800, "2 of 10 graded, 1 running, 1 withheld, 0.1 a minute, about 2 h 0 min left"),
+    ],
+)
+def test_the_table_says_how_far_and_how_fast(seconds: float, said: str) -> None:
+    """Reading the class does not count; before the first is done nobody knows how long."""
+    now = [0.0]
+    with Live(console=Console(file=io.StringIO(), width=100), auto_refresh=False) as live:
+        table = LiveTable(live, lambda: now[0])
+        now[0] = 1000
+        table.grading(10)
+        table.stage(student("ada"), "build")
+        assert title(live) == "0 of 10 graded, 1 running, 0 withheld"
+        now[0] += seconds
+        table.finished(student("bob"), None, 50)
+        table.finished(student("cy"), 50, 50)
+        assert title(live) == said
+
+
+def title(live: Live) -> str:
+    """What stands above the table."""
+    shown = live.get_renderable()
+    assert isinstance(shown, Group)
+    return str(shown.renderables[0])
