@@ -57,15 +57,21 @@ def verify(
 
 
 @contextmanager
-def submitted(result: Path, named: Path | None, sha256: str) -> Iterator[Path]:
+def submitted(result: Path, named: Path | None, sha256: str | None) -> Iterator[Path]:
     """Find what was graded: the file that was named, or what the class's store holds.
 
     Raises:
-        UsageError: No file was named, and there is no store, or one without these bytes.
+        UsageError: No file was named, and none was graded, or no store holds these bytes.
     """
     if named is not None:
         yield named
         return
+    if sha256 is None:
+        raise UsageError(
+            f"{result} tells of no file: none was found in what was handed in, or it could not "
+            "be read, so nothing is kept that could be graded again; name what was handed in: "
+            "bvhgrade verify RESULT SUBMISSION"
+        )
     folders = [each for each in result.resolve().parents if (each / STORE).is_file()]
     if not folders:
         raise UsageError(

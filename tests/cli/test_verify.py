@@ -64,6 +64,19 @@ def test_a_result_alone_needs_its_file(pipeline: Pipeline, tmp_path: Path) -> No
     assert not pipeline.asked
 
 
+def test_a_result_without_a_file_says_so(pipeline: Pipeline, tmp_path: Path) -> None:
+    """Nothing was handed in that could be graded, so no store holds it either."""
+    with opened_store(tmp_path):
+        pass
+    stored = tmp_path / "result.json"
+    stored.write_text(to_text(samples.rejected()))
+    ended = call("verify", str(stored))
+    assert ended.exit_code == 2
+    assert "tells of no file: none was found in what was handed in" in ended.output
+    assert "bvhgrade verify RESULT SUBMISSION" in ended.output
+    assert not pipeline.asked
+
+
 def test_what_differs_is_named(pipeline: Pipeline, tmp_path: Path) -> None:
     """The points, the check, and the part of the provenance that may be why."""
     stored = tmp_path / "result.json"
