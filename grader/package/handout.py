@@ -65,10 +65,12 @@ def points(rubric: Rubric) -> str:
         lines += [f"## {part}) {title}: {_total(mine)} points", "", "| points | what holds |"]
         lines += ["| ---: | --- |"]
         seen = [one for one in mine if one.visibility == VISIBLE]
-        lines += [f"| {one.points:g} | {titles[one.check]} (`{one.check}`) |" for one in seen]
+        lines += [f"| {_worth(one)} | {titles[one.check]} (`{one.check}`) |" for one in seen]
         if rest := [one for one in mine if one.visibility != VISIBLE]:
             lines += [f"| {_total(rest)} | what is not shown before the due date, or at all |"]
         lines += [""]
+    if any(one.gate and one.visibility == VISIBLE for one in rubric.criteria):
+        lines += ["If a gate passes nowhere, its part earns nothing.", ""]
     return "\n".join(lines)
 
 
@@ -112,6 +114,12 @@ def as_png(scene: Scene, reference: Reference) -> bytes:
     written = io.BytesIO()
     image.save(written, "png", optimize=True)
     return written.getvalue()
+
+
+def _worth(criterion: Criterion) -> str:
+    """Write what a check is worth as docs/student.md does: `3`, `gate`, `2, gate`."""
+    gate = ["gate"] if criterion.gate else []
+    return ", ".join([*([f"{criterion.points:g}"] if criterion.points else []), *gate]) or "0"
 
 
 def _total(criteria: list[Criterion]) -> str:

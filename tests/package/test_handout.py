@@ -92,3 +92,14 @@ def test_what_a_rubric_hides_has_points_but_no_name(tmp_path: Path) -> None:
     assert "image.equals-mitsuba" not in told
     assert "| 3 | what is not shown before the due date, or at all |" in told
     assert told.count(": 25 points") == 2
+
+
+def test_a_gate_is_called_so() -> None:
+    """It is worth nothing by itself, and everything if it fails."""
+    told = points(load_rubric())
+    (readable,) = [line for line in told.splitlines() if "`bvh.is-readable`" in line]
+    (used,) = [line for line in told.splitlines() if "`work.uses-the-tree`" in line]
+    assert readable.startswith("| gate | ")
+    assert used.startswith("| 2, gate | ")
+    assert "| 0 |" not in told
+    assert told.endswith("If a gate passes nowhere, its part earns nothing.\n")
