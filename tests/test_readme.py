@@ -103,6 +103,8 @@ def assert_foreign(program: str, arguments: list[str]) -> None:
     elif program == "dask":
         # Its own options are those of another project.
         assert arguments[0] in {"scheduler", "worker"}
+    elif program == "export":
+        assert arguments == ["PATH=$PWD/.venv/bin:$PATH"]
     elif program == "unzip":
         # Of a package that the line before made; its names are those of the kit.
         assert "bvhgrade/constraints.txt" in arguments

@@ -34,7 +34,7 @@ HOSTS = ("gradescope", "github", "prairielearn", "handout")
     "--wheels",
     type=click.Path(exists=True, file_okay=False, path_type=Path),
     metavar="DIR",
-    help="What `pip download` wrote: the host then installs without a network.",
+    help="What `pip download` wrote: the host then takes no Python package from a network.",
 )
 @click.option(
     "--repository",

@@ -28,7 +28,7 @@ class Choices:
 
     seed: int | None = None
     wheels: Path | None = None
-    """Wheels of all that the grader needs (`pip download`), for a host without a network."""
+    """Wheels of all that the grader needs (`pip download`), for a host without PyPI."""
 
 
 def kit(choices: Choices, *options: str) -> tuple[Member, ...]:
