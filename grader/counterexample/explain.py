@@ -37,7 +37,7 @@ class Setting:
 
     @property
     def is_cut(self) -> bool:
-        """Whether there were more tests than were recorded: then a missing one proves nothing."""
+        """Whether more was tested than recorded: then a missing test proves nothing."""
         return self.path.total > len(self.path.hit)
 
     def nodes(self) -> Integers:

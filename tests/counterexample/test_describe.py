@@ -1,4 +1,4 @@
-"""A ray through an altered tree is told by what it found, not by what could be wrong with it."""
+"""A ray through an altered tree is told by what it found, not by what could be wrong."""
 
 import numpy as np
 import pytest
