@@ -171,6 +171,16 @@ def test_a_hidden_check_names_no_command() -> None:
     assert all(not one.commands for one in failures(result, NOTHING, str))
 
 
+@pytest.mark.parametrize("language", ["en", "de"])
+def test_a_page_with_hidden_checks_is_said_to_be_the_instructor_s(language: str) -> None:
+    """It tells of them in full; one without them is for everybody."""
+    result = to_json(samples.failing())
+    sentence = {"en": "not to be handed out", "de": "nicht zum Weitergeben"}[language]
+    assert sentence not in Reader(to_html(result, NOTHING, language)).text
+    result["checks"][-1]["visibility"] = "after_due_date"
+    assert sentence in Reader(to_html(result, NOTHING, language)).text
+
+
 def test_parts_that_were_not_started_are_told_once() -> None:
     """Also if their checks wait for one another, and not if they wait for the compiler."""
     result = to_json(samples.starter())
