@@ -17,7 +17,10 @@ def test_one_that_fails_is_told_and_the_other_is_timed(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     """As trimesh does without embreex; what is printed may be no numbers, too."""
-    said = [WorkerFault("no module embreex"), b'{"construct": 1, "camera": 4, "scattered": 5}']
+    said: list[WorkerFault | bytes] = [
+        WorkerFault("no module embreex"),
+        b'{"construct": 1, "camera": 4, "scattered": 5}',
+    ]
 
     def program(command: Sequence[str]) -> Outcome:
         assert command[-1] == str(tmp_path / GIVEN)
