@@ -35,8 +35,8 @@ def messages() -> list[str]:
 
 
 def written_in_code() -> Iterator[str]:
-    """Find the texts that the reports and the viewer write."""
-    folders = (ROOT / "grader" / name for name in ("report", "view"))
+    """Find the texts that the reports, the viewer and the command line write."""
+    folders = (ROOT / "grader" / name for name in ("report", "view", "cli"))
     for path in (path for folder in folders for path in sorted(folder.rglob("*.py"))):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             if (

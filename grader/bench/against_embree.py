@@ -17,6 +17,9 @@ from grader.model.mesh import Mesh, Rays
 from grader.run.transfer import ray_table
 from grader.sandbox.launch import Order, launch
 
+GIVEN = "given.npz"
+"""Where mesh and rays are laid out for those who are compared."""
+
 _SECONDS = 600.0
 
 
@@ -39,8 +42,20 @@ class Embree:
         return found
 
 
-def embree_for(folder: Path, mesh: Mesh, bundles: dict[str, Rays]) -> Embree | None:
-    """Lay out what Embree is timed on; None if embreex is not installed.
+def laid_out(folder: Path, mesh: Mesh, bundles: dict[str, Rays]) -> Path:
+    """Write the mesh and the rays that Embree, and every other ray tracer, is timed on."""
+    arrays: dict[str, Any] = {name: ray_table(rays) for name, rays in bundles.items()}
+    arrays |= {"vertices": mesh.vertices, "faces": mesh.faces}
+    np.savez(folder / GIVEN, **arrays)
+    return folder / GIVEN
+
+
+def embree_for(folder: Path, given: Path) -> Embree | None:
+    """Make Embree ready to be timed; None if embreex is not installed.
+
+    Args:
+        folder: Where the loop around it is compiled.
+        given: What `laid_out` wrote.
 
     Raises:
         BuildFault: The loop around it does not compile.
@@ -48,10 +63,6 @@ def embree_for(folder: Path, mesh: Mesh, bundles: dict[str, Rays]) -> Embree | N
     if find_spec("embreex") is None:
         return None
     folder.mkdir()
-    arrays: dict[str, Any] = {name: ray_table(rays) for name, rays in bundles.items()}
-    arrays |= {"vertices": mesh.vertices, "faces": mesh.faces}
-    given = folder / "given.npz"
-    np.savez(given, **arrays)
     loop = folder / "loop.so"
     words = [find_compiler().path, "-x", "c", "-O2", "-fPIC", "-shared"]
     outcome = launch(Order([*words, str(DATA / "embree_loop.c"), "-o", str(loop)], _SECONDS))

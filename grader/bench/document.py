@@ -17,10 +17,15 @@ REMEDY = "name another folder with --write"
 
 _HEAD = """# How fast the grader is
 
-`bvhgrade bench --write docs` measured and wrote this. Every number is a ratio of two things
-that took turns in one run, with the smallest and the largest of its rounds; CPU seconds are
-those of all processes, taken from outside. Another machine has other seconds and about the same
-ratios.
+`bvhgrade bench --write docs` measured and wrote this. A goal is a ratio of two things that
+took turns in one run, with the smallest and the largest of its rounds; but 5b is measured
+after what it is compared with, and for 8 and 8b a small and then a large class are graded,
+once each. In 3 and 3b ours is `bvhgrade check --only build.compiles`, as pytest and check50
+do no more there.
+
+CPU seconds are those of all processes; only in 1b and 1d the grade's workers count with their
+time on the clock, which is a little more, since the kernel forgets what a killed process
+used. Another machine has other seconds and about the same ratios.
 """
 
 

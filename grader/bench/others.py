@@ -5,8 +5,10 @@ import sys
 from importlib.util import find_spec
 from pathlib import Path
 
+from grader.bench.against_embree import GIVEN
 from grader.bench.programs import program
 from grader.bench.record import Peer
+from grader.errors import WorkerFault
 
 NAMES = {
     "trimesh": "trimesh.ray (embreex), `intersects_first`",
@@ -14,16 +16,25 @@ NAMES = {
 }
 
 
-def measured(folder: Path) -> tuple[Peer, ...]:
+def measured(folder: Path) -> tuple[tuple[Peer, ...], tuple[str, ...]]:
     """Time each that is installed, once, in a process of its own.
 
     Args:
-        folder: Where the mesh and the rays were laid out for Embree.
+        folder: Where the mesh and the rays were laid out.
+
+    Returns:
+        Those that were timed, and a remark on each that did not come back with numbers.
     """
-    given = folder / "embree" / "given.npz"
-    if not given.exists():
-        return ()
-    return tuple(_peer(name, given) for name in NAMES if find_spec(name) is not None)
+    peers, remarks = [], []
+    for name in NAMES:
+        if find_spec(name) is None:
+            continue
+        try:
+            peers.append(_peer(name, folder / GIVEN))
+        except (WorkerFault, ValueError, KeyError):
+            # It is no goal: what was measured of ours stays, whatever is wrong with it.
+            remarks.append(f"{name} did not come back with numbers")
+    return tuple(peers), tuple(remarks)
 
 
 def _peer(name: str, given: Path) -> Peer:

@@ -61,10 +61,9 @@ def measured(library: Path, faces: int) -> Size:
 def growths(sizes: tuple[Size, ...]) -> tuple[Growth, ...]:
     """Fit how each cost grows, on meshes that are large enough to tell."""
     large = [size for size in sizes if size.faces >= SMALLEST_FITTED]
-    if len(large) < 2:
-        return ()
-    faces = [float(size.faces) for size in large]
     return tuple(
-        Growth(cost.what, exponent(faces, [max(1e-6, cost.of(size)) for size in large]))
+        Growth(cost.what, exponent([size.faces for size in told], list(map(cost.of, told))))
         for cost in COSTS
+        # A cost of 0 was lost in the noise, and would bend every line.
+        if len(told := [size for size in large if cost.of(size) > 0]) > 1
     )

@@ -9,12 +9,12 @@ from pathlib import Path
 import numpy as np
 
 from grader.bench import goals
-from grader.bench.against_embree import Embree, embree_for
+from grader.bench.against_embree import Embree, embree_for, laid_out
 from grader.bench.boxes import Timer
 from grader.bench.libraries import Libraries
 from grader.bench.rays import camera_rays, scattered_rays
 from grader.bench.record import Cost, Goal, Reading
-from grader.bench.statistics import interleaved, ratios
+from grader.bench.statistics import interleaved, lost_in_noise, ratios
 from grader.model.cases import TreeCase
 from grader.model.mesh import Bvh, Mesh, Rays
 from grader.model.trials import ConstructTrial
@@ -57,7 +57,8 @@ def check_cost(mesh: Mesh, tree: Bvh) -> Cost:
 def measured(course: Course, libraries: Libraries, folder: Path) -> list[Reading]:
     """Time all solutions against each other and against Embree, round by round."""
     bundles = {"camera": course.camera, "scattered": course.scattered}
-    embree = embree_for(folder / "embree", course.mesh, bundles)
+    given = laid_out(folder, course.mesh, bundles)
+    embree = embree_for(folder / "embree", given)
     with Nursery() as nursery:
         timer = Timer(nursery, course.mesh)
         tree = timer.tree(libraries.clear)
@@ -97,7 +98,8 @@ def _of_seconds(goal: Goal, cpu: dict[str, list[float]], above: str, below: str)
     if below not in cpu:
         return Reading(goal, None, "embreex is not installed")
     a, b = float(np.median(cpu[above])), float(np.median(cpu[below]))
-    return Reading(goal, ratios(cpu[above], cpu[below]), f"{a:.3f} s / {b:.3f} s CPU")
+    detail = f"{a:.3f} s / {b:.3f} s CPU" + lost_in_noise(cpu[above], cpu[below])
+    return Reading(goal, ratios(cpu[above], cpu[below]), detail)
 
 
 def _of_speed(
@@ -107,6 +109,7 @@ def _of_speed(
     if theirs not in cpu:
         return Reading(goal, None, "embreex is not installed")
     millions = len(rays.t_min) / 1e6
-    a, b = (millions / float(np.median(cpu[name])) for name in (own, theirs))
-    detail = f"{a:.2f} / {b:.2f} million rays a second"
+    medians = [float(np.median(cpu[name])) for name in (own, theirs)]
+    a, b = (f"{millions / each:.2f}" if each > 0 else "?" for each in medians)
+    detail = f"{a} / {b} million rays a second" + lost_in_noise(cpu[own], cpu[theirs])
     return Reading(goal, ratios(cpu[theirs], cpu[own]), detail)

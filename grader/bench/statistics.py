@@ -33,14 +33,26 @@ def spread(values: Sequence[float]) -> Spread:
     return Spread(statistics.median(values), min(values), max(values), len(values))
 
 
-def ratios(above: Sequence[float], below: Sequence[float]) -> Spread:
+def ratios(above: Sequence[float], below: Sequence[float]) -> Spread | None:
     """Divide round by round: what slows a whole round down falls out.
+
+    A difference of two times that is not above 0 is noise, and no ratio is made of it.
 
     Args:
         above: One number a round.
-        below: As many, all above 0.
+        below: As many.
+
+    Returns:
+        Of the rounds that have both; None if there are none.
     """
-    return spread([a / b for a, b in zip(above, below, strict=True)])
+    found = [a / b for a, b in zip(above, below, strict=True) if min(a, b) > 0]
+    return spread(found) if found else None
+
+
+def lost_in_noise(above: Sequence[float], below: Sequence[float]) -> str:
+    """Word how many rounds `ratios` leaves out; empty if none."""
+    lost = sum(min(pair) <= 0 for pair in zip(above, below, strict=True))
+    return f"; {lost} of {len(above)} rounds were lost in the noise" if lost else ""
 
 
 def exponent(sizes: Sequence[float], costs: Sequence[float]) -> float:

@@ -60,7 +60,7 @@ def made(effort: Effort, progress: Progress) -> Table:
         sizes = tuple(_sizes(effort, libraries.clear, progress))
         peaks = _peaks(effort, folder, progress)
         progress("other ray tracers")
-        peers = others.measured(folder)
+        peers, failed = others.measured(folder)
     numbered = sorted(readings, key=lambda each: each.goal.number)
     return Table(
         machine=_machine(),
@@ -70,7 +70,7 @@ def made(effort: Effort, progress: Progress) -> Table:
         growths=scale.growths(sizes),
         peaks=peaks,
         peers=peers,
-        remarks=tuple(_missing()),
+        remarks=(*_missing(), *failed),
     )
 
 

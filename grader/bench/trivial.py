@@ -38,7 +38,10 @@ def compiles():
 
 
 def measured(folder: Path, rounds: int) -> list[Reading]:
-    """Compile two empty functions, by each program that is installed, in turns."""
+    """Compile two empty functions, by each program that is installed, in turns.
+
+    Ours is asked for the check that they compile, and for nothing else: so are the others.
+    """
     source = folder / "trivial.cpp"
     source.write_text(SOURCE)
     framework = workspace(find_compiler(), GRADED)

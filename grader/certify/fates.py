@@ -2,7 +2,7 @@
 
 import csv
 import tomllib
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum
 from pathlib import Path
@@ -102,19 +102,40 @@ def share_caught(counts: Iterable[Counts]) -> float:
     return caught / max(1, caught + kept)
 
 
-def store_counts(counts: dict[str, Counts]) -> None:
-    """Write the counts of these originals, and keep those of others."""
-    lines = stored_counts() | counts
+def store_counts(counts: dict[str, Counts], seed: int, grader: str) -> None:
+    """Write the counts of these originals, and keep those of others.
+
+    A larger sample that this grader has studied stays, too.
+
+    Args:
+        counts: By original.
+        seed: What the mutants were drawn with.
+        grader: State of the grader, as `grader_digest` says.
+    """
+    lines = _stored_lines()
+    for name, line in counts.items():
+        last = lines.get(name)
+        if last is None or last["grader"] != grader or _size(last) <= _size(line):
+            lines[name] = {"original": name, "seed": seed, "grader": grader, **line}
     with counts_file().open("w", newline="") as file:
-        writer = csv.DictWriter(file, ("original", *FATES), lineterminator="\n")
+        columns = ("original", "seed", "grader", *FATES)
+        writer = csv.DictWriter(file, columns, lineterminator="\n")
         writer.writeheader()
-        writer.writerows({"original": name, **line} for name, line in sorted(lines.items()))
+        writer.writerows(lines[name] for name in sorted(lines))
 
 
 def stored_counts() -> dict[str, Counts]:
-    """Read the counts of the last run of each original."""
+    """Read the stored counts of each original."""
+    lines = _stored_lines().items()
+    return {name: {fate: int(line[fate]) for fate in FATES} for name, line in lines}
+
+
+def _stored_lines() -> dict[str, Mapping[str, str | int]]:
     if not counts_file().exists():
         return {}
     with counts_file().open(newline="") as file:
-        lines = list(csv.DictReader(file))
-    return {line["original"]: {fate: int(line[fate]) for fate in FATES} for line in lines}
+        return {line["original"]: line for line in csv.DictReader(file)}
+
+
+def _size(line: Mapping[str, str | int]) -> int:
+    return sum(int(line[fate]) for fate in FATES)

@@ -19,7 +19,7 @@ class Kind(Enum):
     FALSE_ACCEPT = "false accepts: a wrong submission keeps all points"
     UNSEEN = "unseen mistakes: the check that should see it does not fail"
     LEAK = "leaks: a mistake in one part costs points in the other"
-    UNDECIDED = "undecided: our own fault, or a machine that is too busy"
+    UNDECIDED = "undecided: not graded yet, our own fault, or a machine that is too busy"
     UNSTEADY = "flaky: two runs of one seed differ"
     WITHOUT_KILLER = "checks without a killer: no wrong submission is theirs"
 
@@ -63,6 +63,12 @@ def without_killer(rows: Iterable[Row], wrong: Iterable[Wrong]) -> list[Hole]:
         for criterion in load_rubric(None).criteria
         if criterion.check not in killers
     ]
+
+
+def ran_twice(rows: Iterable[Row]) -> bool:
+    """Tell whether anything was graded, and decided, twice with one seed."""
+    runs = [(row.name, row.seed) for row in rows if not row.broken]
+    return len(set(runs)) < len(runs)
 
 
 def differing_seeds(rows: Iterable[Row]) -> list[str]:

@@ -8,7 +8,7 @@ import csv
 from collections.abc import Iterable
 from pathlib import Path
 
-from grader.certify.corpus import corpus_folder
+from grader.certify.corpus import corpus_folder, digest_of, name_of
 from grader.certify.row import Row
 from grader.model.stages import PARTS
 from grader.verify import every_check
@@ -53,6 +53,23 @@ def stored_lines() -> dict[str, Line]:
         return {}
     with matrix_file().open(newline="") as file:
         return {line["submission"]: line for line in csv.DictReader(file)}
+
+
+def stored_rows(paths: Iterable[Path]) -> list[Row]:
+    """Read what the stored matrix says of some files, as they are now.
+
+    A file without a row of its own is undecided: nobody knows what the grader says of it.
+    """
+    lines = stored_lines()
+    return [_stored_row(name_of(path), digest_of(path), lines) for path in paths]
+
+
+def _stored_row(name: str, digest: str, lines: dict[str, Line]) -> Row:
+    row = row_of(lines[name]) if name in lines else None
+    if row is not None and row.digest == digest:
+        return row
+    why = "no row of it is stored" if row is None else "the stored row is of an older file"
+    return Row(name, digest, SEED, (), (), (why,))
 
 
 def store(rows: Iterable[Row], known: Iterable[str]) -> None:

@@ -75,6 +75,8 @@ def certify(
         undecided = search(match, **given)
         write_certificate()
         raise Exit(LOST_POINTS if undecided else FULL_MARKS)
+    from grader.certify.matrix import stored_rows
+
     paths = asked_for(match, sample)
     rows = stored_rows(paths) if stored else graded_rows(paths, **given)
     found = holes_of(rows, not match)
@@ -101,15 +103,6 @@ def asked_for(match: str, sample: bool) -> list[Path]:
     if not paths:
         raise UsageError(f"--match {match}: no submission of the corpus has such a name")
     return paths
-
-
-def stored_rows(paths: Sequence[Path]) -> "list[Row]":
-    """Take what the stored matrix says of some files."""
-    from grader.certify.corpus import name_of
-    from grader.certify.matrix import row_of, stored_lines
-
-    names = {name_of(path) for path in paths}
-    return [row_of(line) for name, line in stored_lines().items() if name in names]
 
 
 def graded_rows(
@@ -152,10 +145,10 @@ def keep(rows: "Sequence[Row]", found: "Sequence[Hole]", whole: bool) -> None:
 def write_certificate() -> None:
     """Write docs/certificate.md from the stored matrix."""
     from grader.certify.certificate import certificate, certificate_file
-    from grader.certify.corpus import wrong_submissions
-    from grader.certify.matrix import row_of, stored_lines
+    from grader.certify.corpus import every_submission, wrong_submissions
+    from grader.certify.matrix import stored_rows
 
-    rows = [row_of(line) for line in stored_lines().values()]
+    rows = stored_rows(every_submission())
     certificate_file().write_text(certificate(rows, wrong_submissions()))
 
 
@@ -195,9 +188,10 @@ def holes_of(rows: "Sequence[Row]", whole: bool) -> "list[Hole]":
 
 def print_holes(rows: "Sequence[Row]", found: "Sequence[Hole]") -> None:
     """Tell what speaks against the grader, and which files are luckier with another seed."""
-    from grader.certify.holes import Kind, differing_seeds
+    from grader.certify.holes import Kind, differing_seeds, ran_twice
 
-    for kind in Kind:
+    # That no two runs differ is worth nothing where there were no two.
+    for kind in (kind for kind in Kind if kind is not Kind.UNSTEADY or ran_twice(rows)):
         mine = [hole.sentence for hole in found if hole.kind is kind]
         click.echo(f"\n{len(mine)} {kind.value}")
         click.echo("".join(f"  {line_for_terminal(each)}\n" for each in mine), nl=False)

@@ -23,10 +23,10 @@ from grader.cli.options import (
 )
 from grader.cli.output import patient_stdout
 from grader.cli.progress import shown_progress
-from grader.cli.replaying import replayed
+from grader.cli.replaying import replayed, require_alone
 from grader.cli.status import FULL_MARKS, LOST_POINTS, OUR_FAULT
 from grader.errors import UsageError
-from grader.language import usual_language
+from grader.language import translator, usual_language
 from grader.model.grade import Grade
 from grader.model.verdict import Verdict
 from grader.output import ready
@@ -93,6 +93,7 @@ def check(submission: Path | None, watch: bool, **given: Any) -> None:  # noqa: 
     """
     order = replace(ordered(submission or usual_place(), given), for_student=True)
     if given["replay"] is not None:
+        require_alone()
         raise Exit(replayed(order, given["replay"]))
     folder = own_folder()
     if watch:
@@ -102,7 +103,9 @@ def check(submission: Path | None, watch: bool, **given: Any) -> None:  # noqa: 
     with patient_stdout():
         report(result, order, written)
         if order.quick:
-            click.echo("\nThis was the quick run; without --quick every check is run.")
+            words = translator(order.language)
+            told = words("This was the quick run; without --quick every check is run.")
+            click.echo(f"\n{told}")
     raise Exit(status_of_check(result, order.only))
 
 
@@ -248,7 +251,9 @@ def watch_over(order: Order, folder: Path) -> NoReturn:
         click.echo(f"\n--- {datetime.now().astimezone():%H:%M:%S} ---")
         print_problem(Console(), result, occasion(order, written))
 
-    click.echo(f"Watching {line_for_terminal(str(order.path))}; Ctrl-C ends.")
+    words = translator(order.language)
+    path = line_for_terminal(str(order.path))
+    click.echo(words("Watching {path}; Ctrl-C ends.").format(path=path))
     watch(replace(order, views=False), Watch(graded, tell))
 
 

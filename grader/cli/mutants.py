@@ -24,9 +24,10 @@ def study(match: str, mutants: int, seed: int, jobs: int, **_: Any) -> bool:  # 
     chosen = chosen_mutants(mutants, seed, match)
     if not chosen:
         raise UsageError(f"--match {match}: mutants are made of no such submission")
-    ledger = Ledger(usual_ledger(), grader_digest())
+    grader = grader_digest()
+    ledger = Ledger(usual_ledger(), grader)
     found = studied_mutants(MutantWork(chosen, SEED, jobs), ledger, tell)
-    store_counts(counts_of(found))
+    store_counts(counts_of(found), seed, grader)
     return tell_all(found, len(chosen))
 
 

@@ -79,7 +79,9 @@ def _with_path(
     found = explanation(setting, trial, ray)
     small = len(trial.mesh.faces) <= MOST_FACES
     rays = chosen(trial.rays, np.array([ray]))
-    table = path_table(setting, rays, found.node) if small and path.total else None
+    # Of a path that was cut, nobody knows which nodes were not tested.
+    is_whole = path.total and not setting.is_cut
+    table = path_table(setting, rays, found.node) if small and is_whole else None
     model = with_ray(told.check, setting, trial, ray, found)
     return replace(told, explanation=found.text, table=table, model=model)
 
@@ -101,13 +103,15 @@ def explanation(
     if nearest < 0:
         return false_hit(setting)
     face, limit = int(answers.face[nearest]), float(answers.limit[ray])
-    if isinstance(trial, AlteredTrial):
+    is_found = abs(t - answers.t[nearest]) <= answers.tolerance[nearest]
+    if isinstance(trial, AlteredTrial) and trial.lost[ray]:
+        # Behind what is gone there may be another face, of which nothing is known here.
         return Explanation(
             f"face {face} is in no leaf that this ray reaches ({trial.change}), and yet it was "
             "found: not through the tree"
+            if is_found
+            else ""
         )
     if t > limit:
         return lost_hit(setting, face, float(answers.t[nearest]))
-    if abs(t - answers.t[nearest]) <= answers.tolerance[nearest]:
-        return Explanation("")
-    return false_hit(setting)
+    return Explanation("") if is_found else false_hit(setting)

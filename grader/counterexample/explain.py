@@ -35,6 +35,11 @@ class Setting:
     tree: Bvh
     path: Path
 
+    @property
+    def is_cut(self) -> bool:
+        """Whether more was tested than recorded: then a missing test proves nothing."""
+        return self.path.total > len(self.path.hit)
+
     def nodes(self) -> Integers:
         """(S,) int64, the node of each box test; -1 where it is no node's box.
 
@@ -97,7 +102,14 @@ def lost_hit(setting: Setting, face: int, t: float) -> Explanation:
         )
     tests = setting.tests_of(face)
     if tests.size:
-        return _tested(setting, face, int(tests[-1]), way[-1])
+        # Whoever tests a face again, with the ray that its hit has shortened, has hit it.
+        hits = tests[setting.path.hit[tests]]
+        return _tested(setting, face, int((hits if hits.size else tests)[-1]), way[-1])
+    if setting.is_cut:
+        return Explanation(
+            f"only the first {len(setting.path.hit)} of {setting.path.total} tests were "
+            f"recorded, and none of them is of face {face}, which is in leaf {way[-1]}"
+        )
     return _not_tested(setting, face, t, way)
 
 
@@ -174,6 +186,11 @@ def false_hit(setting: Setting) -> Explanation:
     if not path.total:
         return Explanation("neither of the given tests was called")
     same = hits[~_apart(path.t[hits], found)]
+    if not same.size and setting.is_cut:
+        return Explanation(
+            f"none of the first {len(path.hit)} of {path.total} tests gave t = {found:.9g}; "
+            "later ones were not recorded"
+        )
     if not same.size:
         return Explanation(f"no test of a face gave t = {found:.9g}; where does it come from?")
     step = int(same[-1])

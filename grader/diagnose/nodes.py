@@ -78,15 +78,13 @@ SPLITS = (
         "Only the root is split: nodes that are added during the loop are never looked at.",
         _only_the_root,
     ),
-    _leaves(
-        "split.one-side",
-        "Of the two children of a node only one is ever split further.",
-        _only_children(1),
-    ),
-    _leaves(
-        "split.one-side",
-        "Of the two children of a node only one is ever split further.",
-        _only_children(0),
+    *(
+        _leaves(
+            "split.one-side",
+            "Of the two children of a node only one is ever split further.",
+            _only_children(side),
+        )
+        for side in (1, 0)
     ),
     _leaves(
         "split.depth-by-index",
@@ -204,17 +202,14 @@ CHILDREN = (
         "Slots that no node uses are not empty, so leaves seem to have children.",
         _below_leaves,
     ),
-    Hypothesis(
-        "children.wrong-index",
-        TreeCase,
-        "The children of node i are not put at 2i+1 and 2i+2, but one place beside.",
-        _children_at(0),
-    ),
-    Hypothesis(
-        "children.wrong-index",
-        TreeCase,
-        "The children of node i are not put at 2i+1 and 2i+2, but one place beside.",
-        _children_at(2),
+    *(
+        Hypothesis(
+            "children.wrong-index",
+            TreeCase,
+            "The children of node i are not put at 2i+1 and 2i+2, but one place beside.",
+            _children_at(first),
+        )
+        for first in (0, 2)
     ),
     without_gaps,
 )

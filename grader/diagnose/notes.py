@@ -8,9 +8,10 @@ from grader.model.cases import Case, DepthCase, ImageCase, TreeCase
 CaseT = TypeVar("CaseT")
 
 MOST_FACES = 5_000
-"""Trees and hits on larger meshes are not kept: small ones tell the same, and sooner."""
+"""Trees over more faces are not kept: small ones tell the same, and sooner."""
 
 MOST_NODES = 1 << 16
+"""Nor are trees with more nodes: one over few faces may have any number of them."""
 
 
 class Notes:

@@ -6,9 +6,6 @@ from grader.model.cases import TreeCase
 from grader.model.mesh import Doubles, Integers, Mesh
 from grader.verify.structure import unreadable
 
-MOST_FACES = 5_000
-"""Trees over more faces are not looked into: small ones tell the same, and sooner."""
-
 
 def is_readable(case: TreeCase) -> bool:
     """Tell whether a tree has faces and all its ranges lie within the mesh."""

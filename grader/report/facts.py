@@ -1,6 +1,7 @@
 """What does every format say about a grade? Decided once: what is withheld, where to look."""
 
 import re
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -119,15 +120,38 @@ def identifiers(mangled: str, start: int) -> list[str]:
 
 
 def worst(grade: Grade) -> CheckScore | None:
-    """Choose the failure that costs most, what it blocks included; None if nothing failed."""
+    """Choose the failure that costs most; None if nothing failed."""
     idle = unstarted(grade)
-    lost = {score.check: score.max_score - score.score for score in grade.checks}
-    for score in grade.checks:
-        if score.blocked_by in lost:
-            lost[score.blocked_by] += score.max_score - score.score
+    cost = costs(
+        (score.check, score.blocked_by, score.max_score - score.score) for score in grade.checks
+    )
     failed = [
         score
         for score in grade.checks
         if score.verdict is Verdict.FAIL and score.part not in idle
     ]
-    return max(failed, key=lambda score: lost[score.check], default=None)
+    return max(failed, key=lambda score: cost[score.check], default=None)
+
+
+def costs(checks: Iterable[tuple[str, str | None, float]]) -> dict[str, float]:
+    """Add up what each check costs, with all that waits for it, over several steps.
+
+    Args:
+        checks: Of each check its id, what it waits for, and the points that it lost.
+    """
+    given = list(checks)
+    blocker = {check: before for check, before, _ in given}
+    cost = dict.fromkeys(blocker, 0.0)
+    for check, _, lost in given:
+        cost[root(check, blocker)] += lost
+    return cost
+
+
+def root(check: str, blocker: Mapping[str, str | None]) -> str:
+    """Follow what a check waits for to what does not wait."""
+    for _ in blocker:
+        before = blocker.get(check)
+        if before is None or before not in blocker:
+            break
+        check = before
+    return check

@@ -169,7 +169,8 @@ class Sheet:
         if len(lines) <= MAX_LINES:
             return lines
         half = MAX_LINES // 2
-        missing = f"[... {len(lines) - 2 * half + 1:,} lines ...]"
+        count = f"{len(lines) - 2 * half + 1:,}"
+        missing = self.words("[... {count} lines ...]").format(count=count)
         return [*lines[:half], missing, *lines[1 - half :]]
 
     def show(self) -> None:

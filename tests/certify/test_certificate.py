@@ -1,5 +1,6 @@
 """docs/certificate.md says what the stored matrix says, and the command judges it."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -7,19 +8,49 @@ from click.testing import CliRunner
 
 from grader import resources
 from grader.certify import certificate as written
+from grader.certify import matrix
 from grader.certify.certificate import certificate, certificate_file, mutant_lines
-from grader.certify.corpus import wrong_submissions
+from grader.certify.corpus import every_submission, name_of, wrong_submissions
 from grader.certify.fates import FATES
-from grader.certify.matrix import line_of, row_of, stored_lines
+from grader.certify.matrix import SEED, line_of, row_of, stored_lines, stored_rows
 from grader.cli import cli
+from grader.cli.certify import print_holes
 
 STORED = stored_lines()
 
 
 def test_the_stored_certificate_is_of_the_stored_matrix() -> None:
     """Otherwise `bvhgrade certify --stored` writes it anew."""
-    rows = [row_of(line) for line in STORED.values()]
-    assert certificate_file().read_text() == certificate(rows, wrong_submissions())
+    told = certificate(stored_rows(every_submission()), wrong_submissions())
+    assert certificate_file().read_text() == told
+
+
+def test_a_file_without_a_row_of_its_own_is_undecided(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """New, or changed since: both are holes, in the output and in the certificate."""
+    new, changed, *_ = paths = every_submission()
+    kept = {name: line for name, line in STORED.items() if name != name_of(new)}
+    kept |= {name_of(changed): {**STORED[name_of(changed)], "sha256": "0"}}
+    monkeypatch.setattr(matrix, "stored_lines", lambda: kept)
+    monkeypatch.setattr(written, "certificate_file", lambda: tmp_path / "certificate.md")
+    told = [row.broken for row in stored_rows(paths[:2])]
+    assert told == [("no row of it is stored",), ("the stored row is of an older file",)]
+    result = CliRunner().invoke(cli, ["certify", "--stored", "--match", name_of(new)])
+    assert result.exit_code == 1, result.output
+    assert f"  {name_of(new)} (seed {SEED}): no row of it is stored\n" in result.output
+    assert "| undecided: " in (tmp_path / "certificate.md").read_text()
+
+
+def test_no_two_runs_are_said_to_agree_where_there_is_one(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """Flaky is only what ran twice with one seed."""
+    row = row_of(next(iter(STORED.values())))
+    print_holes([row, replace(row, seed=SEED + 1)], [])
+    assert "flaky" not in capsys.readouterr().out
+    print_holes([row, row], [])
+    assert "0 flaky" in capsys.readouterr().out
 
 
 def test_a_line_of_the_matrix_is_read_back() -> None:

@@ -55,6 +55,23 @@ def test_explained_survivors_count_apart(monkeypatch: pytest.MonkeyPatch) -> Non
     assert survivors(found) == [told(Fate.SURVIVED), told(Fate.SAME_RESULTS)]
 
 
+@pytest.mark.parametrize(
+    ("size", "grader", "kept"),
+    [(2, "abc", False), (3, "abc", True), (4, "abc", True), (2, "new", True)],
+)
+def test_a_small_sample_does_not_replace_a_large_one(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, size: int, grader: str, kept: bool
+) -> None:
+    """Of the same grader; of another one the stored counts say nothing."""
+    monkeypatch.setattr(fates, "counts_file", lambda: tmp_path / "mutants.csv")
+    first, second = (counts_of([told(Fate.CAUGHT)] * each) for each in (3, size))
+    fates.store_counts(first | {"y.cpp": first["x.cpp"]}, 1, "abc")
+    fates.store_counts(second, 2, grader)
+    lines = (tmp_path / "mutants.csv").read_text().splitlines()
+    assert lines[1].startswith(f"x.cpp,2,{grader}," if kept else "x.cpp,1,abc,")
+    assert fates.stored_counts() == {**(second if kept else first), "y.cpp": first["x.cpp"]}
+
+
 def test_every_explanation_is_of_a_mutant() -> None:
     """A change that no edit makes explains nothing."""
     made = {

@@ -39,6 +39,12 @@ FACE = LEFT[0]
         (Walk().face(RIGHT[0], 5.0).face(FACE, 1.0), 5.0, 1, "from before was kept"),
         (Walk().face(FACE, 1.0, turn=1), np.inf, 1, "that hit was not returned"),
         (Walk().face(FACE, None, t_max=0.5), np.inf, 1, "t in (0, 0.5), and was not hit"),
+        (
+            Walk().face(FACE, 1.0).face(RIGHT[0], 5.0).face(FACE, None, t_max=1.0),
+            5.0,
+            1,
+            "overwritten by a hit at t = 5",
+        ),
         (Walk(), np.inf, 1, "neither of the given tests was called"),
     ],
 )
@@ -50,6 +56,25 @@ def test_the_node_that_lost_a_hit_is_named(
     assert words in told.text
     assert told.node == node
     assert f"face {FACE}" in told.text
+
+
+def test_a_path_that_was_cut_is_not_taken_for_the_whole() -> None:
+    """What was not recorded may have been tested; what was recorded was."""
+    walk = Walk().box(0).box(2).face(RIGHT[0], 5.0)
+    missed = lost_hit(shortened(walk.setting(5.0)), FACE, 1.0)
+    assert missed.text.startswith(
+        f"only the first 3 of 5000 tests were recorded, and none of them is of face {FACE}"
+    )
+    assert missed.node == -1
+    tested = lost_hit(shortened(walk.face(FACE, None, t_max=0.5).setting(5.0)), FACE, 1.0)
+    assert "t in (0, 0.5), and was not hit" in tested.text
+    alien = false_hit(shortened(walk.setting(3.0)))
+    assert alien.text.startswith("none of the first 4 of 5000 tests gave t = 3")
+
+
+def shortened(setting: Setting) -> Setting:
+    """Say that there were more tests than the path holds."""
+    return replace(setting, path=replace(setting.path, total=5000))
 
 
 def test_a_face_in_no_leaf_is_said_to_be_in_none() -> None:

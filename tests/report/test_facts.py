@@ -6,7 +6,10 @@ import pytest
 
 from grader.model.verdict import Verdict
 from grader.plain import NAME_LIMIT
+from grader.report.as_json import to_json
 from grader.report.facts import place, plain_name, withheld, worst
+from grader.report.hosts import told
+from grader.report.html import findings
 from tests.report import samples
 
 
@@ -80,6 +83,22 @@ def test_the_worst_failure_is_the_one_that_costs_most() -> None:
     together = worst(samples.changed(c2=cheap, c4=blocked, c7=hits))
     assert together is not None
     assert together.check == cheap.check
+
+
+def test_every_report_takes_the_same_failure_for_the_worst() -> None:
+    """With what waits over several steps: terminal, page and hosts."""
+    first = replace(samples.check(2), verdict=Verdict.FAIL, score=0)
+    middle = replace(samples.check(4), verdict=Verdict.BLOCKED, score=0, blocked_by=first.check)
+    last = replace(samples.check(6), verdict=Verdict.BLOCKED, score=0, blocked_by=middle.check)
+    # 1 + 9 + 2 points are lost there, and 11 here.
+    hits = replace(samples.first_hit_wins(), score=9)
+    grade = samples.changed(c2=first, c4=middle, c6=last, c7=hits)
+    result = to_json(grade)
+    top = worst(grade)
+    assert top is not None
+    assert top.check == first.check
+    assert findings.worst_first(result)[0]["id"] == first.check
+    assert told.worst_first(told.entries(result))[0].id == first.check
 
 
 def test_nothing_is_worst_in_a_perfect_or_an_unstarted_submission() -> None:

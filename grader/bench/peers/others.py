@@ -1,7 +1,7 @@
 """Times trimesh and Mitsuba on the rays of the bench: `python -m ... NAME FILE`.
 
-FILE is the .npz of `embree.py`. Prints CPU seconds of the scene and of each bundle as JSON, or
-nothing but an empty object where the package cannot do it.
+FILE is the .npz that `against_embree.py` lays out. Prints CPU seconds of the scene and
+microseconds a ray of each bundle as JSON; where the package cannot do it, it fails.
 """
 
 import json

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 from grader.language import Words
 from grader.report.as_json import Json
+from grader.report.facts import costs
 from grader.report.hints import cause_in, misconception
 
 VISIBLE = "visible"
@@ -41,6 +42,9 @@ class Entry:
     line: int = 0
     """Line of the student's file; 0 if none is known."""
 
+    blocked_by: str | None = None
+    """Id of the check that it waits for."""
+
 
 def entries(result: Json, words: Words = str) -> list[Entry]:
     """List the checks that are shown, and what the others are worth together."""
@@ -70,6 +74,7 @@ def entry_of(check: Json, secret: set[str], words: Words) -> Entry:
         check["visibility"],
         check["stop"],
         (place and place["line"]) or 0,
+        check["blocked_by"],
     )
 
 
@@ -130,9 +135,10 @@ def where(location: Json, words: Words) -> str:
 
 
 def worst_first(given: list[Entry]) -> list[Entry]:
-    """Order the failures by the points they cost; those of equal cost keep their order."""
+    """Order the failures by what they cost, with what waits for them and is shown."""
+    cost = costs((entry.id, entry.blocked_by, lost(entry)) for entry in given)
     failed = [entry for entry in given if entry.verdict == "fail"]
-    return sorted(failed, key=lost, reverse=True)
+    return sorted(failed, key=lambda entry: -cost[entry.id])
 
 
 def lost(entry: Entry) -> float:

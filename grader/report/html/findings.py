@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from grader.language import Words
-from grader.report.facts import FILE
+from grader.report.facts import FILE, costs, root
 from grader.report.hints import cause_in, told
 
 Json = Mapping[str, Any]
@@ -69,22 +69,9 @@ def spoken(one: Failure, told: Words) -> Failure:
 
 def worst_first(result: Json) -> list[Json]:
     """Sort failed checks by what they cost, with what waits for them."""
-    blocker = {one["id"]: one["blocked_by"] for one in result["checks"]}
-    cost = dict.fromkeys(blocker, 0.0)
-    for one in result["checks"]:
-        cost[_root(one["id"], blocker)] += lost(one)
+    cost = costs((one["id"], one["blocked_by"], lost(one)) for one in result["checks"])
     failed = [one for one in result["checks"] if one["verdict"] == "fail"]
-    return sorted(failed, key=lambda one: -float(cost[one["id"]]))
-
-
-def _root(check: str, blocker: Mapping[str, str | None]) -> str:
-    """Follow what a check waits for to what does not wait."""
-    for _ in blocker:
-        before = blocker.get(check)
-        if before is None or before not in blocker:
-            break
-        check = before
-    return check
+    return sorted(failed, key=lambda one: -cost[one["id"]])
 
 
 def lost(check: Json) -> float:
@@ -111,7 +98,7 @@ def _is_idle(part: str, checks: Mapping[str, Json]) -> bool:
     blocker = {name: one["blocked_by"] for name, one in checks.items()}
     own = [name for name, one in checks.items() if one["part"] == part]
     return bool(own) and all(
-        checks[_root(name, blocker)]["verdict"] == "blocked" for name in own
+        checks[root(name, blocker)]["verdict"] == "blocked" for name in own
     )
 
 

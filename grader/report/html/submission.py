@@ -6,7 +6,7 @@ from typing import Any
 from grader.language import Words, translator
 from grader.phrases import teller
 from grader.report.facts import FILE, FUNCTIONS, NOT_STARTED
-from grader.report.hosts.told import withheld
+from grader.report.hosts.told import VISIBLE, withheld
 from grader.report.html.findings import failures, idle_parts, points, spoken
 from grader.report.html.page import SIGNS, page
 from grader.report.html.seen import legends, models, pictures
@@ -64,6 +64,7 @@ def head(result: Json, words: Words) -> dict[str, object]:
         "most": f"{result['max_score']:g}",
         "full": score is not None and score == result["max_score"],
         "exposed": result["build"]["ok"] and result["provenance"]["isolation"] == "none",
+        "secret": any(one["visibility"] != VISIBLE for one in result["checks"]),
         "review": result["needs_review"],
         "summary": summary(result, words),
         "parts": [_part(one, words) for one in result["parts"]],

@@ -163,12 +163,18 @@ def test_how_many_are_wrong_stands_apart_from_the_first() -> None:
     assert one.where == "ray 17: a closer hit was missed"
 
 
-def test_a_hidden_check_names_no_command() -> None:
-    """Nobody can repeat it."""
+def test_a_hidden_check_names_no_command_and_is_the_instructor_s() -> None:
+    """Nobody can repeat it, and the page says that it is not for the student."""
     result = to_json(samples.failing())
-    for check in result["checks"]:
-        check["visibility"] = "hidden"
-    assert all(not one.commands for one in failures(result, NOTHING, str))
+    sentences = {"en": "not to be handed out", "de": "nicht zum Weitergeben"}
+    for how in ("visible", "hidden", "after_due_date"):
+        for check in result["checks"]:
+            check["visibility"] = how
+        hidden = how != "visible"
+        assert all(not (one.commands and hidden) for one in failures(result, NOTHING, str))
+        for language, sentence in sentences.items():
+            page = Reader(to_html(result, NOTHING, language)).text
+            assert (sentence in page) == hidden
 
 
 def test_parts_that_were_not_started_are_told_once() -> None:
