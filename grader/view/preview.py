@@ -18,8 +18,9 @@ _FACE_POINT = (
     _SEEN
     + """
 in vec3 place;
+uniform float scale;
 out vec3 world;
-void main() { world = place; gl_Position = seen * vec4(place, 1); }
+void main() { world = scale * place; gl_Position = seen * vec4(place, 1); }
 """
 )
 _FACE_COLOUR = """#version 330 core
@@ -150,6 +151,8 @@ class Preview:
         coarse = "moving" if moving and "moving" in self._meshes else "whole"
         if coarse in self._meshes:
             self._faces["seen"] = seen
+            # Squares of what is as small or large as a mesh may be are no float any more.
+            self._faces["scale"] = 1 / orbit.distance
             self._faces["light"] = tuple(light_of(frame_of(orbit)).tolist())
             self._faces["darkest"] = DARKEST
             self._faces["tint"] = tuple((self.tint / 255).tolist())
