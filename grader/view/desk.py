@@ -22,7 +22,7 @@ from grader.solution import Solution
 from grader.view.boxes import deepest_of
 from grader.view.camera import Orbit
 from grader.view.stage import Stage, State, fitting
-from grader.view.subject import Subject, of_scene
+from grader.view.subject import Subject, of_scene, own_scenes
 from grader.view.thinned import thinned
 from grader.view.workshop import Product, built, our_own
 
@@ -107,7 +107,7 @@ class Desk:
 
     def choose_scene(self, name: str) -> None:
         """Show a stored scene."""
-        self.choose(lambda: of_scene(name))
+        self.choose(lambda: of_scene(name, own_scenes(self._options)))
 
     def rebuild(self) -> None:
         """Compile what lies there now."""

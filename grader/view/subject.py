@@ -9,6 +9,7 @@ from grader.errors import UsageError
 from grader.model.mesh import Bvh, FrozenArrays, Mesh, Rays
 from grader.model.scene import Scene
 from grader.model.trials import ConstructTrial, RebuildTrial, Trial
+from grader.options import Options
 from grader.view.camera import Orbit, orbit_around, orbit_of
 
 ALBEDO = (0.75, 0.72, 0.64)
@@ -44,7 +45,45 @@ class Subject(FrozenArrays):
     """The stored scene, with Mitsuba's picture of it; None if it is none."""
 
 
-def of_scene(name: str) -> Subject:
+def own_scenes(options: Options) -> Path | None:
+    """Find a course's own folder of scenes, which a rubric names.
+
+    Raises:
+        UsageError: The rubric is wrong.
+    """
+    from grader.score.rubric import load_rubric
+
+    return load_rubric(options.rubric).scenes
+
+
+def scene_folders(own: Path | None) -> dict[str, Path | None]:
+    """List the scenes by name, each with its folder; the shipped ones come first.
+
+    Args:
+        own: A course's own folder, beside the shipped one.
+
+    Raises:
+        UsageError: A `scenes.toml` is wrong.
+    """
+    from grader.oracle.scenes import scenes
+
+    folders = [None] if own is None else [None, own]
+    return {scene.name: folder for folder in folders for scene in scenes(folder)}
+
+
+def scene_folder(name: str, own: Path | None) -> Path | None:
+    """Find the folder of a scene; None is the shipped one.
+
+    Raises:
+        UsageError: There is no scene of this name.
+    """
+    known = scene_folders(own)
+    if name not in known:
+        raise UsageError(f"no scene is called {name}; there are {', '.join(known)}")
+    return known[name]
+
+
+def of_scene(name: str, own: Path | None = None) -> Subject:
     """Load a stored scene.
 
     Raises:
@@ -53,8 +92,9 @@ def of_scene(name: str) -> Subject:
     """
     from grader.oracle.scenes import load_mesh, scene_named
 
-    scene = scene_named(name)
-    mesh = load_mesh(scene.mesh)
+    folder = scene_folder(name, own)
+    scene = scene_named(name, folder)
+    mesh = load_mesh(scene.mesh, folder)
     home = orbit_of(scene.camera, extent(mesh))
     return Subject(name, scene.title, mesh, home, scene.albedo, scene=scene)
 
