@@ -118,6 +118,14 @@ class Desk:
         )
 
     @property
+    def lacks_tree(self) -> bool:
+        """Whether the submission made no tree, so that the model solution's is to come."""
+        stage = self.stage
+        if stage is None or not stage.in_construct:
+            return False
+        return stage.subject.tree is None and not stage.subject.check
+
+    @property
     def is_building(self) -> bool:
         """Whether it is being compiled."""
         return self._building is not None
@@ -184,7 +192,7 @@ class Desk:
     def _substitute(self) -> bool:
         """Trace on the model solution's tree where the submission made none."""
         stage = self.stage
-        if stage is None or not stage.in_construct or stage.subject.tree or stage.subject.check:
+        if stage is None or not self.lacks_tree:
             return False
         if self._growing is None:
             mesh = stage.subject.mesh

@@ -37,8 +37,11 @@ class Wish:
     words: Words
 
 
-def opening(wish: Wish, web: bool, picture: Path | None) -> None:
+def opening(wish: Wish, web: bool, picture: Path | None) -> str:
     """Show what is wished for, until it is closed.
+
+    Returns:
+        What the submission did, if a picture is not all its own; otherwise empty.
 
     Raises:
         UsageError: The scene, the check or the path is wrong.
@@ -49,18 +52,18 @@ def opening(wish: Wish, web: bool, picture: Path | None) -> None:
     with Desk(wish.path, wish.options, first) as desk:
         study = Study(desk, wish.words)
         try:
-            _shown(wish, study, desk, web, picture)
+            return _shown(wish, study, desk, web, picture)
         finally:
             study.close()
 
 
-def _shown(wish: Wish, study: Study, desk: Desk, web: bool, picture: Path | None) -> None:
+def _shown(wish: Wish, study: Study, desk: Desk, web: bool, picture: Path | None) -> str:
     names = list(scene_folders(own_scenes(wish.options)))
     if picture is not None:
         from grader.view.screenshot import screenshot
 
-        screenshot(desk, study, picture)
-    elif web:
+        return screenshot(desk, study, picture)
+    if web:
         from grader.view.server import served
 
         served(desk, study, names, wish.words)
@@ -68,6 +71,7 @@ def _shown(wish: Wish, study: Study, desk: Desk, web: bool, picture: Path | None
         from grader.view.window import Window, opened
 
         opened(Window(desk, study, names, wish.words), f"bvhgrade view {wish.path.name}")
+    return ""
 
 
 def wanted(wish: Wish) -> Load:

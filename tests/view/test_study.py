@@ -172,7 +172,7 @@ def test_where_construct_crashes_ours_takes_its_place(file: Path) -> None:
     mesh = of_trial("x", ConstructTrial("x", MESH))
     scene = Subject("few", "few", mesh.mesh, mesh.home)
     with Desk(file, OPTIONS, lambda: scene) as desk:
-        until(lambda: desk.stage is not None and desk.stage.traced.is_done, desk.advance)
+        wait(desk, Study(desk))
         assert desk.stage is not None
         assert desk.stage.trouble.startswith("construct: ")
         assert desk.stage.tree is not None
