@@ -26,7 +26,8 @@ from grader.view.inspector import NodeFacts, some_faces
 from grader.view.picture import Shown, shown
 from grader.view.status import status
 from grader.view.study import Study
-from grader.view.walking import Walk, deepest_known
+from grader.view.subject import cube
+from grader.view.walking import Walk, cut_off, deepest_known
 
 Json = dict[str, Any]
 
@@ -154,7 +155,7 @@ class Service:
         yaw, pitch, far = (number(given, name, FARTHEST) for name in ("yaw", "pitch", "far"))
         at, size = numbers(given, "at", 3), numbers(given, "size", 2)
         width, height = (int(min(max(side, 16), LARGEST_SIDE)) for side in size)
-        middle, scale = _cube(self._light(desk.subject.mesh))
+        middle, scale = cube(self._light(desk.subject.mesh))
         target = np.array(at) / scale + middle
         orbit = Orbit(
             target=(float(target[0]), float(target[1]), float(target[2])),
@@ -253,7 +254,8 @@ class Service:
         )
         hit = words("hit at t = {t}").format(t=f"{walk.found:.6g}")
         told = f"{walk.title}: {hit if walk.found < np.inf else words('no hit')}"
-        return {**ray_json(made), "told": f"{told}. {made.sentence}", "total": walk.total}
+        told = f"{told}. {made.sentence} {cut_off(walk, words)}".strip()
+        return {**ray_json(made), "told": told, "total": walk.total}
 
     def _light(self, mesh: Mesh) -> Mesh:
         """A mesh that is small enough for a page, made once."""
@@ -270,7 +272,7 @@ class Service:
 
     def _home(self, orbit: Orbit, mesh: Mesh) -> Json:
         """Where the page's camera begins: where the scene's own does."""
-        middle, scale = _cube(mesh)
+        middle, scale = cube(mesh)
         back = frame_of(orbit).back
         return {
             "yaw": float(np.arctan2(back[0], back[2])),
@@ -278,12 +280,3 @@ class Service:
             "far": float(np.clip(orbit.distance * scale * orbit.fov / FOV, 0.05, 40)),
             "at": [float(x) for x in (np.array(orbit.target) - middle) * scale],
         }
-
-
-def _cube(mesh: Mesh) -> tuple[np.ndarray, float]:
-    """Middle and scale by which the page moves a mesh into a cube of side 2."""
-    points = mesh.vertices.astype(np.float64)
-    if not len(points):
-        return np.zeros(3), 2.0
-    low, high = points.min(axis=0), points.max(axis=0)
-    return (low + high) / 2, 2 / (float((high - low).max()) or 1.0)

@@ -86,6 +86,10 @@ def scene_folder(name: str, own: Path | None) -> Path | None:
 def of_scene(name: str, own: Path | None = None) -> Subject:
     """Load a stored scene.
 
+    Args:
+        name: Of the scene.
+        own: A course's own folder, beside the shipped one.
+
     Raises:
         UsageError: There is none of this name.
         OracleFault: Its mesh is missing or damaged.
@@ -151,6 +155,15 @@ def around(mesh: Mesh) -> Orbit:
     if not len(points):
         points = np.zeros((1, 3))
     return orbit_around(points.min(axis=0), points.max(axis=0))
+
+
+def cube(mesh: Mesh) -> tuple[np.ndarray, float]:
+    """Return middle and scale by which a page moves a mesh into a cube of side 2."""
+    points = mesh.vertices.astype(np.float64)
+    if not len(points):
+        return np.zeros(3), 2.0
+    low, high = points.min(axis=0), points.max(axis=0)
+    return (low + high) / 2, 2 / (float((high - low).max()) or 1.0)
 
 
 def _asked(check: str, trial: Trial, mesh: Mesh) -> Subject:

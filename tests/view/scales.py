@@ -6,6 +6,7 @@ Run by a test in a process of its own: OpenGL stays in one until its end.
 import sys
 from dataclasses import replace
 
+import moderngl
 import numpy as np
 
 from grader.model.mesh import Bytes, Mesh
@@ -44,6 +45,10 @@ def main(scales: list[float]) -> None:
         for one, other in zip((faces, boxes), drawn(preview, scale), strict=True):
             alike = (np.abs(one.astype(int) - other) < 16).all(axis=2).mean()
             sys.stdout.write(f"{alike:.3f}\n")
+    texture = preview.texture
+    preview.release()
+    assert texture is not None
+    assert isinstance(texture.mglo, moderngl.InvalidObject)
 
 
 if __name__ == "__main__":

@@ -176,6 +176,7 @@ def test_where_construct_crashes_ours_takes_its_place(file: Path) -> None:
         assert desk.stage is not None
         assert desk.stage.trouble.startswith("construct: ")
         assert desk.stage.tree is not None
+        assert desk.stage.traced.is_done
 
 
 def test_a_file_of_another_kind_is_refused(tmp_path: Path) -> None:
