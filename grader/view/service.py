@@ -19,11 +19,12 @@ from grader.model.views import Model, ShownRay
 from grader.plain import one_line
 from grader.report.views import model_json, ray_json
 from grader.verify.check import vector
-from grader.view.asked import FARTHEST, mode, number, numbers, within
+from grader.view.asked import FARTHEST, Unanswered, mode, number, numbers, within
 from grader.view.camera import Orbit, frame_of
 from grader.view.desk import Desk
 from grader.view.inspector import NodeFacts, some_faces
 from grader.view.picture import Shown, shown
+from grader.view.stage import State
 from grader.view.status import status
 from grader.view.study import Study
 from grader.view.subject import cube
@@ -78,6 +79,8 @@ class Service:
                 answer.set_result(question())
             except UsageError as fault:
                 answer.set_exception(fault)
+            except Exception as fault:  # noqa: BLE001 - one question is lost, not the viewer
+                answer.set_exception(Unanswered(self._failed(fault)))
 
     def advance(self) -> None:
         """Look how far everything is."""
@@ -102,6 +105,7 @@ class Service:
         return {
             "status": status(desk, self._words),
             "trouble": self._trouble(),
+            "ended": desk.stage is not None and desk.stage.state is State.ENDED,
             "remark": one_line(study.remark),
             "subject": desk.subjects,
             "tree": self._trees,
@@ -178,8 +182,13 @@ class Service:
             UsageError: It is nothing that can be asked for.
         """
         desk, study, what = self._desk, self._study, given.get("what")
-        if what in ("next-node", "next-ray"):
-            study.next_node() if what == "next-node" else study.next_ray()
+        alone: Mapping[str, Callable[[], None]] = {
+            "next-node": study.next_node,
+            "next-ray": study.next_ray,
+            "again": desk.run_again,
+        }
+        if str(what) in alone:
+            alone[str(what)]()
         elif what == "node":
             study.select(int(number(given, "node", 2**31)))
         elif what == "step":
@@ -199,6 +208,10 @@ class Service:
         else:
             raise UsageError("there is no such wish")
         return self.state()
+
+    def _failed(self, fault: Exception) -> str:
+        words, kind = self._words, one_line(f"{type(fault).__name__}: {fault}", 200)
+        return words("the viewer itself failed ({kind}), and goes on").format(kind=kind)
 
     def _trouble(self) -> str:
         desk = self._desk
