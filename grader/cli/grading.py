@@ -232,7 +232,9 @@ def occasion(order: Order, written: Path) -> "Occasion":
     """Say how a report came to be printed."""
     from grader.report.failure import Occasion
 
-    return Occasion(repetition(order), written, order.hints, order.language)
+    return Occasion(
+        repetition(order), written, order.hints, order.language, call_of("view", order)
+    )
 
 
 def watch_over(order: Order, folder: Path) -> NoReturn:
@@ -259,7 +261,12 @@ def watch_over(order: Order, folder: Path) -> NoReturn:
 
 def repetition(order: Order) -> str:
     """Word the call that grades the same again, ready to be pasted; empty if it cannot be."""
-    words = ["bvhgrade", "check", str(order.path), "--seed", str(order.seed)]
+    return call_of("check", order, "--seed", str(order.seed))
+
+
+def call_of(name: str, order: Order, *given: str) -> str:
+    """Word the call of a command for the same submission; empty if it cannot be pasted."""
+    words = ["bvhgrade", name, str(order.path), *given]
     if order.rubric is not None:
         words += ["--rubric", str(order.rubric)]
     command = shlex.join(words)

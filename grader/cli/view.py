@@ -14,8 +14,12 @@ from grader.cli.options import (
     unsafe_option,
 )
 from grader.cli.progress import silent
+from grader.cli.status import stop
 from grader.errors import UsageError
 from grader.language import translator, usual_language
+
+NOT_WHOLE = 1
+"""Status after a picture that the submission did not finish."""
 
 
 @click.command()
@@ -37,7 +41,8 @@ def view(submission: Path, web: bool, **given: Any) -> None:  # noqa: ANN401 - c
 
     Needs pip install "bvhgrade[view]", but for --web.
 
-    Exit status: 0 closed, 2 wrong usage, 3 nothing can be shown.
+    Exit status: 0 closed, 1 the submission ended before its picture in a file was whole,
+    2 wrong usage, 3 nothing can be shown.
     """
     from grader.options import Options
     from grader.view.opening import Wish, opening
@@ -51,4 +56,6 @@ def view(submission: Path, web: bool, **given: Any) -> None:  # noqa: ANN401 - c
     options = Options(SEED, given["rubric"], (), silent, isolated=isolated)
     words = translator(given["language"] or usual_language())
     with interruptible():
-        opening(Wish(submission, options, scene, check, words), web, screenshot)
+        trouble = opening(Wish(submission, options, scene, check, words), web, screenshot)
+    if trouble:
+        stop(click.get_current_context(), f"{submission}: {trouble}", NOT_WHOLE)

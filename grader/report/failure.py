@@ -38,6 +38,8 @@ class Occasion:
     """How much is said beyond the facts, 0 to 3."""
 
     language: str = "en"
+    viewer: str = ""
+    """The call of the viewer; `--check FILE` may be added. Empty if none fits."""
 
 
 def points(score: float, possible: float, words: Words = str) -> str:
@@ -69,9 +71,17 @@ def explain(sheet: Sheet, grade: Grade, score: CheckScore, occasion: Occasion) -
         sheet.beside(label, text, "cyan")
     if occasion.command and score.visibility == "visible":
         sheet.command("again", f"{occasion.command} --only {score.check}")
-        if score.counterexample is not None and occasion.written is not None:
-            file = occasion.written.parent / counterexample_file(score.check)
-            sheet.command("replay", f"{occasion.command} --replay {shlex.quote(str(file))}")
+        show_again(sheet, score, occasion)
+
+
+def show_again(sheet: Sheet, score: CheckScore, occasion: Occasion) -> None:
+    """Name the commands that show the smallest input alone, in words and from all sides."""
+    if score.counterexample is None or occasion.written is None:
+        return
+    file = shlex.quote(str(occasion.written.parent / counterexample_file(score.check)))
+    sheet.command("replay", f"{occasion.command} --replay {file}")
+    if occasion.viewer:
+        sheet.command("view", f"{occasion.viewer} --check {file}")
 
 
 def smallest(sheet: Sheet, score: CheckScore) -> None:

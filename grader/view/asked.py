@@ -10,6 +10,10 @@ FARTHEST = 1e4
 """Of what a page's camera looks at, in halves of the model."""
 
 
+class Unanswered(Exception):
+    """A question that failed for our own reason; the message is for the page."""
+
+
 def mode(name: object) -> Mode:
     """Find what the right pane may show.
 

@@ -14,8 +14,7 @@ def corners_of(tree: Bvh) -> Floats:
     """Return (K, 6) float32, lower and upper corners of the first nodes; NaN in empty slots."""
     count = min(len(tree.end), MOST_BOXES)
     corners = np.concatenate([tree.low[:count], tree.high[:count]], axis=1).astype(np.float32)
-    with np.errstate(invalid="ignore"):
-        bad = (tree.end[:count] == 0) | ~(np.abs(corners) < 1e30).all(axis=1)
+    bad = (tree.end[:count] == 0) | ~np.isfinite(corners).all(axis=1)
     corners[bad] = np.nan
     return np.ascontiguousarray(corners)
 

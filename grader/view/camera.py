@@ -14,8 +14,11 @@ STEEPEST = 1.55
 NEAREST, FARTHEST = 1e-3, 1e3
 """Distances from the point that is looked at, in sizes of the scene."""
 
-T_MIN = np.float32(1e-5)
-"""Where rays begin, as the exercise's `epsilon`."""
+T_MIN = 1e-5
+"""Where rays begin, as the exercise's `epsilon`; of a model that is closer than that,"""
+
+LEAST_T_MIN = 1e-4
+"""at this part of the distance."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -136,14 +139,15 @@ def rays_of(orbit: Orbit, width: int, height: int, pixels: Integers) -> Floats:
     direction /= np.sqrt((direction * direction).sum(axis=1))[:, None]
     table = np.empty((len(pixels), 8), np.float32)
     table[:, 0:3], table[:, 3:6] = frame.eye, direction
-    table[:, 6], table[:, 7] = T_MIN, np.inf
+    table[:, 6], table[:, 7] = min(T_MIN, LEAST_T_MIN * orbit.distance), np.inf
     return table
 
 
 def projection(orbit: Orbit, width: int, height: int) -> Floats:
     """Return the (4, 4) float32 matrix from world space to a screen's clip space.
 
-    The last rows map distances so that the whole scene is between near and far.
+    The last rows map distances so that the whole scene is between near and far. What comes out
+    is about 1, however small or large the scene is: a graphics card has 32 bits.
     """
     frame, (wide, high) = frame_of(orbit), spread(orbit, width, height)
     near = max(orbit.distance * 1e-2, orbit.size * 1e-6)
@@ -155,7 +159,7 @@ def projection(orbit: Orbit, width: int, height: int) -> Floats:
     lens[0, 0], lens[1, 1] = 1 / wide, 1 / high
     lens[2, 2], lens[2, 3] = (far + near) / (near - far), 2 * far * near / (near - far)
     lens[3, 2] = -1
-    return (lens @ view).astype(np.float32)
+    return (lens @ view / orbit.distance).astype(np.float32)
 
 
 def _across(up: Doubles) -> tuple[Doubles, Doubles]:

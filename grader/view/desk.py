@@ -16,13 +16,14 @@ from grader.errors import GraderError
 from grader.intake.saved import GLANCE_SECONDS, GONE, state_of
 from grader.model.mesh import Bvh, Mesh
 from grader.options import Options
+from grader.sandbox.launch import start_again, stop_everything
 from grader.sandbox.nursery import Nursery
 from grader.sandbox.scratch import scratch_folder
 from grader.solution import Solution
 from grader.view.boxes import deepest_of
 from grader.view.camera import Orbit
 from grader.view.stage import Stage, State, fitting
-from grader.view.subject import Subject, of_scene
+from grader.view.subject import Subject, of_scene, own_scenes
 from grader.view.thinned import thinned
 from grader.view.workshop import Product, built, our_own
 
@@ -66,6 +67,9 @@ class Desk:
         self.path, self._options = path, options
         self._held = ExitStack()
         self._nursery = self._held.enter_context(Nursery())
+        self._workshop, self._next_workshop = ExitStack(), ExitStack()
+        """What the last build needs, and the one that is being made: a folder and boxes."""
+
         self._aside = ThreadPoolExecutor(2)
         self._over = threading.Event()
         self._built_state = self._saved = GONE
@@ -81,8 +85,8 @@ class Desk:
         """The model solution on the same subject, while it is compared."""
 
         self.orbit: Orbit | None = None
-        self.fault: GraderError | None = None
-        """What could not be done, for our own reason or because of what was asked for."""
+        self._faults: dict[str, GraderError] = {}
+        """By what could not be done: `load`, `build` or `run`."""
 
         threading.Thread(target=self._watch, daemon=True).start()
         self._loading: Future[tuple[Subject, Mesh]] | None = self._aside.submit(_loaded, first)
@@ -97,9 +101,13 @@ class Desk:
     def __exit__(self, *_: object) -> None:
         """End every process and thread."""
         self._over.set()
+        # Nobody waits for a compiler, or for a search, when the window is closed.
+        stop_everything()
         self._aside.shutdown(wait=True, cancel_futures=True)
         self._clear()
-        self._held.close()
+        for held in (self._next_workshop, self._workshop, self._held):
+            held.close()
+        start_again()
 
     def choose(self, load: Load) -> None:
         """Show something else, once it is loaded."""
@@ -107,15 +115,27 @@ class Desk:
 
     def choose_scene(self, name: str) -> None:
         """Show a stored scene."""
-        self.choose(lambda: of_scene(name))
+        self.choose(lambda: of_scene(name, own_scenes(self._options)))
 
     def rebuild(self) -> None:
         """Compile what lies there now."""
         self._built_state = state_of(self.path)
-        folder = self._held.enter_context(scratch_folder())
-        self._building = self._aside.submit(
-            built, self.path, folder, self._nursery, self._options
-        )
+        folder = self._next_workshop.enter_context(scratch_folder())
+        nursery = self._next_workshop.enter_context(Nursery())
+        self._building = self._aside.submit(built, self.path, folder, nursery, self._options)
+
+    @property
+    def fault(self) -> GraderError | None:
+        """What could not be done, for our own reason or because of what was asked for."""
+        return next(iter(self._faults.values()), None)
+
+    @property
+    def lacks_tree(self) -> bool:
+        """Whether the submission made no tree, so that the model solution's is to come."""
+        stage = self.stage
+        if stage is None or not stage.in_construct:
+            return False
+        return stage.subject.tree is None and not stage.subject.check
 
     @property
     def is_building(self) -> bool:
@@ -164,7 +184,7 @@ class Desk:
             try:
                 self.rival = Stage(self.subject, our_own(self._nursery))
             except GraderError as fault:
-                self.fault = fault
+                self._faults["run"] = fault
                 return
             if self.orbit is not None:
                 self.rival.show(self.orbit, *self.size)
@@ -176,7 +196,7 @@ class Desk:
         try:
             painted = stage.advance()
         except GraderError as fault:
-            self.fault = fault
+            self._faults["run"] = fault
             stage.state = State.ENDED
             return True
         return painted or stage.state is not before
@@ -184,7 +204,7 @@ class Desk:
     def _substitute(self) -> bool:
         """Trace on the model solution's tree where the submission made none."""
         stage = self.stage
-        if stage is None or not stage.in_construct or stage.subject.tree or stage.subject.check:
+        if stage is None or not self.lacks_tree:
             return False
         if self._growing is None:
             mesh = stage.subject.mesh
@@ -195,7 +215,7 @@ class Desk:
         try:
             subject = replace(stage.subject, tree=growing.result())
         except GraderError as fault:
-            stage.in_construct, self.fault = False, fault
+            stage.in_construct, self._faults["run"] = False, fault
             return True
         self._clear()
         if self.product is not None and self.product.engine is not None:
@@ -216,9 +236,9 @@ class Desk:
         try:
             self.subject, self.light = loading.result()
         except GraderError as fault:
-            self.fault = fault
+            self._faults["load"] = fault
             return True
-        self.fault = None
+        self._faults.pop("load", None)
         self.orbit = self.subject.home
         self.subjects += 1
         self._restart()
@@ -231,14 +251,20 @@ class Desk:
         try:
             self.product = building.result()
         except GraderError as fault:
-            self.fault = fault
+            self._faults["build"] = fault
+            self._next_workshop.close()
             return True
+        self._faults.pop("build", None)
         self._restart()
+        # Only now nothing runs any more that was built before.
+        self._workshop.close()
+        self._workshop, self._next_workshop = self._next_workshop, ExitStack()
         return True
 
     def _restart(self) -> None:
         """Have the submission begin anew with what is shown."""
         self._clear()
+        self._faults.pop("run", None)
         if self.subject is None or self.product is None or self.product.engine is None:
             return
         self.stage = Stage(self.subject, self.product.engine)

@@ -6,11 +6,18 @@ from pathlib import Path
 from grader.errors import UsageError
 from grader.language import Words
 from grader.options import Options
-from grader.oracle.scenes import scene_named, scenes
 from grader.report.facts import counterexample_file
 from grader.view.desk import Desk, Load
 from grader.view.study import Study
-from grader.view.subject import Subject, of_file, of_scene, of_trial
+from grader.view.subject import (
+    Subject,
+    of_file,
+    of_scene,
+    of_trial,
+    own_scenes,
+    scene_folder,
+    scene_folders,
+)
 
 USUAL_SCENE = "dragon"
 RESULTS = "bvhgrade-out"
@@ -30,8 +37,11 @@ class Wish:
     words: Words
 
 
-def opening(wish: Wish, web: bool, picture: Path | None) -> None:
+def opening(wish: Wish, web: bool, picture: Path | None) -> str:
     """Show what is wished for, until it is closed.
+
+    Returns:
+        What the submission did, if a picture is not all its own; otherwise empty.
 
     Raises:
         UsageError: The scene, the check or the path is wrong.
@@ -42,18 +52,18 @@ def opening(wish: Wish, web: bool, picture: Path | None) -> None:
     with Desk(wish.path, wish.options, first) as desk:
         study = Study(desk, wish.words)
         try:
-            _shown(wish, study, desk, web, picture)
+            return _shown(wish, study, desk, web, picture)
         finally:
             study.close()
 
 
-def _shown(wish: Wish, study: Study, desk: Desk, web: bool, picture: Path | None) -> None:
-    names = [scene.name for scene in scenes()]
+def _shown(wish: Wish, study: Study, desk: Desk, web: bool, picture: Path | None) -> str:
+    names = list(scene_folders(own_scenes(wish.options)))
     if picture is not None:
         from grader.view.screenshot import screenshot
 
-        screenshot(desk, study, picture)
-    elif web:
+        return screenshot(desk, study, picture)
+    if web:
         from grader.view.server import served
 
         served(desk, study, names, wish.words)
@@ -61,6 +71,7 @@ def _shown(wish: Wish, study: Study, desk: Desk, web: bool, picture: Path | None
         from grader.view.window import Window, opened
 
         opened(Window(desk, study, names, wish.words), f"bvhgrade view {wish.path.name}")
+    return ""
 
 
 def wanted(wish: Wish) -> Load:
@@ -70,8 +81,9 @@ def wanted(wish: Wish) -> Load:
         UsageError: There is no such scene or check, or it does not fail.
     """
     if wish.check is None:
-        name = scene_named(wish.scene or USUAL_SCENE).name
-        return lambda: of_scene(name)
+        name, own = wish.scene or USUAL_SCENE, own_scenes(wish.options)
+        scene_folder(name, own)
+        return lambda: of_scene(name, own)
     if wish.check.endswith(".json"):
         return _opened(Path(wish.check))
     for folder in (wish.path, wish.path.parent / RESULTS, Path(RESULTS)):

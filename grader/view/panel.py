@@ -15,7 +15,7 @@ from grader.view.inspector import NodeFacts, some_faces
 from grader.view.picture import Shown, titles
 from grader.view.stage import State
 from grader.view.study import Study
-from grader.view.walking import deepest_known
+from grader.view.walking import cut_off, deepest_known
 
 WIDTH = 300
 """Pixels at the usual size of letters."""
@@ -156,6 +156,8 @@ class Panel:
             study.walk_to(study.step + 1)
         imgui.same_line()
         imgui.text(words("step {step} of {steps}").format(step=study.step, steps=walk.total))
+        if cut_off(walk, words):
+            imgui.text_wrapped(cut_off(walk, words))
         self._steps(imgui)
 
     def _steps(self, imgui: ModuleType) -> None:

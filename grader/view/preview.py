@@ -18,8 +18,9 @@ _FACE_POINT = (
     _SEEN
     + """
 in vec3 place;
+uniform float scale;
 out vec3 world;
-void main() { world = place; gl_Position = seen * vec4(place, 1); }
+void main() { world = scale * place; gl_Position = seen * vec4(place, 1); }
 """
 )
 _FACE_COLOUR = """#version 330 core
@@ -150,6 +151,8 @@ class Preview:
         coarse = "moving" if moving and "moving" in self._meshes else "whole"
         if coarse in self._meshes:
             self._faces["seen"] = seen
+            # Squares of what is as small or large as a mesh may be are no float any more.
+            self._faces["scale"] = 1 / orbit.distance
             self._faces["light"] = tuple(light_of(frame_of(orbit)).tolist())
             self._faces["darkest"] = DARKEST
             self._faces["tint"] = tuple((self.tint / 255).tolist())
@@ -172,14 +175,27 @@ class Preview:
         data = np.frombuffer(self._sheet.frame.read(components=3, alignment=1), np.uint8)
         return data.reshape(height, width, 3)[::-1].copy()
 
+    def release(self) -> None:
+        """Give everything back to the graphics card; nothing can be drawn any more."""
+        for name in list(self._held):
+            self.unload(name)
+        self._fold()
+        for program in (self._faces, self._boxes):
+            program.release()
+
     def _fitted(self, size: tuple[int, int]) -> _Sheet:
         """Return something of this size to draw on."""
         old = self._sheet
         if old is not None and old.texture.size == size:
             return old
-        if old is not None:
-            for one in (old.frame, old.texture, old.depth):
-                one.release()
+        self._fold()
         texture, depth = self._gl.texture(size, 4), self._gl.depth_renderbuffer(size)
         self._sheet = _Sheet(texture, depth, self._gl.framebuffer([texture], depth))
         return self._sheet
+
+    def _fold(self) -> None:
+        """Forget what was drawn on."""
+        if self._sheet is not None:
+            for one in (self._sheet.frame, self._sheet.texture, self._sheet.depth):
+                one.release()
+        self._sheet = None

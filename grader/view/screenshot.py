@@ -32,8 +32,11 @@ EMPTY = 40
 PAUSE_SECONDS = 0.004
 
 
-def screenshot(desk: Desk, study: Study, path: Path) -> None:
+def screenshot(desk: Desk, study: Study, path: Path) -> str:
     """Draw both panes into a PNG, as soon as everything is traced.
+
+    Returns:
+        What the submission did, if the picture is not all its own; otherwise empty.
 
     Raises:
         UsageError: The submission does not compile, or nothing can be loaded.
@@ -45,6 +48,7 @@ def screenshot(desk: Desk, study: Study, path: Path) -> None:
     desk.resize(*SIZE)
     wait(desk, study)
     save(panes(desk, study, Preview(context)), path)
+    return desk.stage.trouble if desk.stage else ""
 
 
 def surfaceless() -> "moderngl.Context":
@@ -87,7 +91,7 @@ def wait(desk: Desk, study: Study) -> None:
 
 
 def _is_done(desk: Desk, study: Study) -> bool:
-    if desk.stage is None or desk.is_loading or desk.is_building:
+    if desk.stage is None or desk.is_loading or desk.is_building or desk.lacks_tree:
         return False
     stages = [desk.stage]
     if desk.mode in COMPARING and desk.rival is not None:

@@ -19,6 +19,7 @@ import click
 from grader.errors import UsageError
 from grader.language import Words, usual_language
 from grader.report.html.page import page
+from grader.view.asked import Unanswered
 from grader.view.desk import Desk
 from grader.view.picture import titles
 from grader.view.service import Service
@@ -122,6 +123,12 @@ class _Handler(BaseHTTPRequestHandler):
     def do_GET(self) -> None:
         """Answer a question that changes nothing."""
         place = self._place()
+        try:
+            self._answer(place)
+        except Unanswered as fault:
+            self._json(str(fault), 500)
+
+    def _answer(self, place: str | None) -> None:
         if place == "":
             self._send(self._text.encode(), "text/html; charset=utf-8")
         elif place == "state":
@@ -149,6 +156,8 @@ class _Handler(BaseHTTPRequestHandler):
             )
         except UsageError:
             self._refuse(400)
+        except Unanswered as fault:
+            self._json(str(fault), 500)
 
     def _place(self) -> str | None:
         """What is asked for, behind the secret part; None if it was refused."""
@@ -191,8 +200,8 @@ class _Handler(BaseHTTPRequestHandler):
         told = {"width": width, "height": height, "version": version, "share": share}
         self._send(shown.pixels.tobytes(), "application/octet-stream", 200, told)
 
-    def _json(self, value: object) -> None:
-        self._send(json.dumps(value, allow_nan=False).encode(), "application/json")
+    def _json(self, value: object, status: int = 200) -> None:
+        self._send(json.dumps(value, allow_nan=False).encode(), "application/json", status)
 
     def _refuse(self, status: int) -> None:
         self._send(b"", "text/plain", status)

@@ -19,14 +19,16 @@ from grader.model.views import Model, ShownRay
 from grader.plain import one_line
 from grader.report.views import model_json, ray_json
 from grader.verify.check import vector
-from grader.view.asked import FARTHEST, mode, number, numbers, within
+from grader.view.asked import FARTHEST, Unanswered, mode, number, numbers, within
 from grader.view.camera import Orbit, frame_of
 from grader.view.desk import Desk
 from grader.view.inspector import NodeFacts, some_faces
 from grader.view.picture import Shown, shown
+from grader.view.stage import State
 from grader.view.status import status
 from grader.view.study import Study
-from grader.view.walking import Walk, deepest_known
+from grader.view.subject import cube
+from grader.view.walking import Walk, cut_off, deepest_known
 
 Json = dict[str, Any]
 
@@ -77,6 +79,8 @@ class Service:
                 answer.set_result(question())
             except UsageError as fault:
                 answer.set_exception(fault)
+            except Exception as fault:  # noqa: BLE001 - one question is lost, not the viewer
+                answer.set_exception(Unanswered(self._failed(fault)))
 
     def advance(self) -> None:
         """Look how far everything is."""
@@ -101,6 +105,7 @@ class Service:
         return {
             "status": status(desk, self._words),
             "trouble": self._trouble(),
+            "ended": desk.stage is not None and desk.stage.state is State.ENDED,
             "remark": one_line(study.remark),
             "subject": desk.subjects,
             "tree": self._trees,
@@ -154,7 +159,7 @@ class Service:
         yaw, pitch, far = (number(given, name, FARTHEST) for name in ("yaw", "pitch", "far"))
         at, size = numbers(given, "at", 3), numbers(given, "size", 2)
         width, height = (int(min(max(side, 16), LARGEST_SIDE)) for side in size)
-        middle, scale = _cube(self._light(desk.subject.mesh))
+        middle, scale = cube(self._light(desk.subject.mesh))
         target = np.array(at) / scale + middle
         orbit = Orbit(
             target=(float(target[0]), float(target[1]), float(target[2])),
@@ -177,8 +182,13 @@ class Service:
             UsageError: It is nothing that can be asked for.
         """
         desk, study, what = self._desk, self._study, given.get("what")
-        if what in ("next-node", "next-ray"):
-            study.next_node() if what == "next-node" else study.next_ray()
+        alone: Mapping[str, Callable[[], None]] = {
+            "next-node": study.next_node,
+            "next-ray": study.next_ray,
+            "again": desk.run_again,
+        }
+        if str(what) in alone:
+            alone[str(what)]()
         elif what == "node":
             study.select(int(number(given, "node", 2**31)))
         elif what == "step":
@@ -198,6 +208,10 @@ class Service:
         else:
             raise UsageError("there is no such wish")
         return self.state()
+
+    def _failed(self, fault: Exception) -> str:
+        words, kind = self._words, one_line(f"{type(fault).__name__}: {fault}", 200)
+        return words("the viewer itself failed ({kind}), and goes on").format(kind=kind)
 
     def _trouble(self) -> str:
         desk = self._desk
@@ -253,7 +267,8 @@ class Service:
         )
         hit = words("hit at t = {t}").format(t=f"{walk.found:.6g}")
         told = f"{walk.title}: {hit if walk.found < np.inf else words('no hit')}"
-        return {**ray_json(made), "told": f"{told}. {made.sentence}", "total": walk.total}
+        told = f"{told}. {made.sentence} {cut_off(walk, words)}".strip()
+        return {**ray_json(made), "told": told, "total": walk.total}
 
     def _light(self, mesh: Mesh) -> Mesh:
         """A mesh that is small enough for a page, made once."""
@@ -270,7 +285,7 @@ class Service:
 
     def _home(self, orbit: Orbit, mesh: Mesh) -> Json:
         """Where the page's camera begins: where the scene's own does."""
-        middle, scale = _cube(mesh)
+        middle, scale = cube(mesh)
         back = frame_of(orbit).back
         return {
             "yaw": float(np.arctan2(back[0], back[2])),
@@ -278,12 +293,3 @@ class Service:
             "far": float(np.clip(orbit.distance * scale * orbit.fov / FOV, 0.05, 40)),
             "at": [float(x) for x in (np.array(orbit.target) - middle) * scale],
         }
-
-
-def _cube(mesh: Mesh) -> tuple[np.ndarray, float]:
-    """Middle and scale by which the page moves a mesh into a cube of side 2."""
-    points = mesh.vertices.astype(np.float64)
-    if not len(points):
-        return np.zeros(3), 2.0
-    low, high = points.min(axis=0), points.max(axis=0)
-    return (low + high) / 2, 2 / (float((high - low).max()) or 1.0)

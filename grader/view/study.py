@@ -118,6 +118,7 @@ class Study:
     def follow(self, pixel: tuple[int, int]) -> None:
         """Follow the ray of a pixel of the right pane."""
         desk = self._desk
+        self.remark = ""
         if desk.orbit is None:
             return
         width, height = desk.size
@@ -237,7 +238,11 @@ class Study:
 
     def _ask(self, of: Followed, failing: bool) -> None:
         stage = self._stage
-        if stage is None or stage.state is not State.TRACING:
+        if stage is None:
+            return
+        if stage.state is State.ENDED:
+            self.remark = self.words("your program has ended, so no ray can be followed")
+        if stage.state is not State.TRACING:
             return
         self._asked = _Asked(stage.live.record(of.ray), of, failing)
 

@@ -9,6 +9,7 @@ from grader.errors import UsageError
 from grader.model.mesh import Bvh, FrozenArrays, Mesh, Rays
 from grader.model.scene import Scene
 from grader.model.trials import ConstructTrial, RebuildTrial, Trial
+from grader.options import Options
 from grader.view.camera import Orbit, orbit_around, orbit_of
 
 ALBEDO = (0.75, 0.72, 0.64)
@@ -44,8 +45,50 @@ class Subject(FrozenArrays):
     """The stored scene, with Mitsuba's picture of it; None if it is none."""
 
 
-def of_scene(name: str) -> Subject:
+def own_scenes(options: Options) -> Path | None:
+    """Find a course's own folder of scenes, which a rubric names.
+
+    Raises:
+        UsageError: The rubric is wrong.
+    """
+    from grader.score.rubric import load_rubric
+
+    return load_rubric(options.rubric).scenes
+
+
+def scene_folders(own: Path | None) -> dict[str, Path | None]:
+    """List the scenes by name, each with its folder; the shipped ones come first.
+
+    Args:
+        own: A course's own folder, beside the shipped one.
+
+    Raises:
+        UsageError: A `scenes.toml` is wrong.
+    """
+    from grader.oracle.scenes import scenes
+
+    folders = [None] if own is None else [None, own]
+    return {scene.name: folder for folder in folders for scene in scenes(folder)}
+
+
+def scene_folder(name: str, own: Path | None) -> Path | None:
+    """Find the folder of a scene; None is the shipped one.
+
+    Raises:
+        UsageError: There is no scene of this name.
+    """
+    known = scene_folders(own)
+    if name not in known:
+        raise UsageError(f"no scene is called {name}; there are {', '.join(known)}")
+    return known[name]
+
+
+def of_scene(name: str, own: Path | None = None) -> Subject:
     """Load a stored scene.
+
+    Args:
+        name: Of the scene.
+        own: A course's own folder, beside the shipped one.
 
     Raises:
         UsageError: There is none of this name.
@@ -53,8 +96,9 @@ def of_scene(name: str) -> Subject:
     """
     from grader.oracle.scenes import load_mesh, scene_named
 
-    scene = scene_named(name)
-    mesh = load_mesh(scene.mesh)
+    folder = scene_folder(name, own)
+    scene = scene_named(name, folder)
+    mesh = load_mesh(scene.mesh, folder)
     home = orbit_of(scene.camera, extent(mesh))
     return Subject(name, scene.title, mesh, home, scene.albedo, scene=scene)
 
@@ -111,6 +155,15 @@ def around(mesh: Mesh) -> Orbit:
     if not len(points):
         points = np.zeros((1, 3))
     return orbit_around(points.min(axis=0), points.max(axis=0))
+
+
+def cube(mesh: Mesh) -> tuple[np.ndarray, float]:
+    """Return middle and scale by which a page moves a mesh into a cube of side 2."""
+    points = mesh.vertices.astype(np.float64)
+    if not len(points):
+        return np.zeros(3), 2.0
+    low, high = points.min(axis=0), points.max(axis=0)
+    return (low + high) / 2, 2 / (float((high - low).max()) or 1.0)
 
 
 def _asked(check: str, trial: Trial, mesh: Mesh) -> Subject:

@@ -7,6 +7,7 @@ import numpy as np
 from grader.counterexample.describe import explanation
 from grader.counterexample.explain import Explanation, Setting
 from grader.counterexample.shown import steps_of
+from grader.language import Words
 from grader.model.mesh import Bvh, Floats, FrozenArrays, Mesh
 from grader.model.path import Path
 from grader.model.trials import AlteredTrial, ImageTrial, TraceTrial, Trial
@@ -93,6 +94,13 @@ def expected_of(trial: TraceTrial | AlteredTrial | ImageTrial, index: int) -> fl
         return float("inf")
     nearest = closest_sure(trial.answers, index)
     return float(trial.answers.t[nearest]) if nearest >= 0 else float("inf")
+
+
+def cut_off(walk: Walk, words: Words) -> str:
+    """Say that only the first tests are told; empty if all are."""
+    if len(walk.steps) >= walk.total:
+        return ""
+    return words("Only the first {count} steps are kept.").format(count=len(walk.steps))
 
 
 def deepest_known(walk: Walk) -> int:

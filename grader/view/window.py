@@ -1,8 +1,8 @@
 """The window: two panes under one bar and a column beside them, drawn with Dear ImGui."""
 
 import sys
-import time
 from collections.abc import Callable, Sequence
+from datetime import datetime
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -82,15 +82,19 @@ class Window:
         imgui.end_child()
         if not imgui.get_io().want_text_input:
             self._keys(imgui, panes)
-        imgui.text_unformatted(self.status())
+        imgui.text_unformatted(self.status(imgui.get_io().framerate))
         idle = not self._is_busy(panes)
         hello_imgui.get_runner_params().fps_idling.enable_idling = idle
 
-    def status(self) -> str:
-        """Put the numbers of the moment into one line."""
+    def status(self, fps: float) -> str:
+        """Put the numbers of the moment into one line.
+
+        Args:
+            fps: Frames a second; few as long as nothing happens.
+        """
         told = status(self.desk, self.words)
         seconds = self.panes.preview_seconds if self.panes else 0.0
-        return f"{told}   preview {1000 * seconds:.0f} ms"
+        return f"{told}   preview {1000 * seconds:.0f} ms   {fps:.0f} fps"
 
     def look(self, orbit: Orbit) -> None:
         """Move the camera."""
@@ -112,9 +116,12 @@ class Window:
         desk = self.desk
         if desk.orbit is None or desk.subject is None or self._context is None:
             return
-        pixels = panes(desk, self.study, Preview(self._context))
+        preview = Preview(self._context)
+        pixels = panes(desk, self.study, preview)
+        preview.release()
         self._context.screen.use()
-        path = Path(f"bvhgrade-{desk.subject.name}-{time.strftime('%H%M%S')}.png")
+        # Nobody saves two in one microsecond.
+        path = Path(f"bvhgrade-{desk.subject.name}-{datetime.now():%H%M%S-%f}.png")
         self.panel.remark = saved(pixels, path, self.words)
 
     def _advance(self, panes: Panes) -> None:

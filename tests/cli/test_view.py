@@ -8,6 +8,7 @@ import pytest
 
 from grader import resources
 from tests.cli.calls import call
+from tests.view import sources
 
 FILE = str(resources.reference_source())
 
@@ -54,11 +55,10 @@ def test_without_the_extra_it_is_named(
     assert 'pip install "bvhgrade[view]"' in result.output
 
 
-def test_a_file_shows_both_panes(cache: Path, tmp_path: Path) -> None:
-    """The whole command, in a process of its own: OpenGL stays in one until its end."""
-    path = tmp_path / "both.png"
-    words = [sys.executable, "-m", "grader", "view", FILE, "--scene", "soup"]
-    done = subprocess.run(
+def drawn(file: str, path: Path) -> subprocess.CompletedProcess[str]:
+    """Run the whole command, in a process of its own: OpenGL stays in one until its end."""
+    words = [sys.executable, "-m", "grader", "view", file, "--scene", "soup"]
+    return subprocess.run(
         [*words, "--screenshot", str(path)],
         cwd=resources.stub_folder().parent,
         capture_output=True,
@@ -66,6 +66,33 @@ def test_a_file_shows_both_panes(cache: Path, tmp_path: Path) -> None:
         check=False,
         timeout=600,
     )
+
+
+@pytest.mark.parametrize(
+    ("source", "told"),
+    [
+        (sources.CRASHES_AT_THE_RIGHT, "intersect, pixel ("),
+        (sources.CRASHES_IN_CONSTRUCT, "construct: "),
+    ],
+    ids=["intersect", "construct"],
+)
+def test_a_picture_that_is_not_whole_says_why(
+    cache: Path, tmp_path: Path, source: str, told: str
+) -> None:
+    """With status 1; what there is of it is in the file."""
+    file, path = tmp_path / "exercise03.cpp", tmp_path / "both.png"
+    file.write_text(source)
+    done = drawn(str(file), path)
+    assert done.returncode == 1, done.stderr
+    assert told in done.stderr
+    assert "Traceback" not in done.stderr
+    assert path.is_file()
+
+
+def test_a_file_shows_both_panes(cache: Path, tmp_path: Path) -> None:
+    """Side by side, with a gap between them."""
+    path = tmp_path / "both.png"
+    done = drawn(FILE, path)
     assert done.returncode == 0, done.stderr
     from PIL import Image
 

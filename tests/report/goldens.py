@@ -16,6 +16,7 @@ FOLDER = Path(__file__).with_suffix("")
 OCCASION = Occasion(
     command="bvhgrade check src/exercise03.cpp --seed 41",
     written=Path("bvhgrade-out/report.html"),
+    viewer="bvhgrade view src/exercise03.cpp",
 )
 
 

@@ -51,6 +51,17 @@ def test_a_ray_goes_where_its_pixel_is_drawn(orbit: Orbit, width: int, height: i
     assert (np.abs(clip[:, 2]) < clip[:, 3]).all()
 
 
+@pytest.mark.parametrize("size", [1e-12, 1e-3, 1.0, 1e31])
+def test_rays_begin_in_front_of_what_is_seen(size: float) -> None:
+    """However small it is; and what goes to the graphics card is about 1."""
+    corner = np.full(3, size)
+    orbit = orbit_around(-corner, corner)
+    rays = rays_of(orbit, 4, 4, np.arange(16))
+    assert (rays[:, 6] < orbit.distance - 2 * size).all()
+    clip = projection(orbit, 4, 4) @ np.array([*corner, 1.0], np.float32)
+    assert 1e-3 < np.abs(clip).max() < 1e3
+
+
 def test_turning_keeps_the_distance_and_stops_at_the_poles() -> None:
     """Whoever goes on turning upwards ends just before the pole."""
     orbit = usual().turned(0.3, 100.0)

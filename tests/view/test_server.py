@@ -133,6 +133,21 @@ def test_what_cannot_be_asked_is_refused(house: Open, body: Any) -> None:  # noq
     assert house.ask("GET", house.at("state"))[0] == 200
 
 
+def test_a_fault_of_ours_costs_one_answer(house: Open, monkeypatch: pytest.MonkeyPatch) -> None:
+    """It is told in a sentence, and the next question is answered."""
+
+    def state() -> None:
+        raise ValueError("on purpose")
+
+    with monkeypatch.context() as patch:
+        patch.setattr(house.service, "state", state)
+        status, told = house.ask("GET", house.at("state"))
+        assert status == 500
+        assert "on purpose" in told
+        assert house.ask("POST", house.at("do"), {"what": "next-node"})[0] == 500
+    assert house.ask("GET", house.at("state"))[0] == 200
+
+
 def test_a_browser_that_goes_away_leaves_no_traceback(
     house: Open, capfd: pytest.CaptureFixture[str]
 ) -> None:

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from grader.model.mesh import Mesh
+from grader.oracle.meshes import mesh_named
 from grader.run.session import Engine
 from grader.view import stage as stage_module
 from grader.view import traced as traced_module
@@ -146,6 +147,16 @@ def test_a_crash_in_construct_is_told(compiled: Compiled, staged: Staged) -> Non
     assert stage.in_construct
     assert stage.tree is None
     assert stage.trouble.startswith("construct: ")
+
+
+def test_the_smallest_mesh_is_hit(right: Engine, staged: Staged) -> None:
+    """Its faces are nearer to the camera than where the exercise's rays begin."""
+    subject = of_mesh(mesh_named(41, "scaled-tiny"))
+    stage = staged(subject, right)
+    stage.show(subject.home, SIDE, SIDE)
+    finished(stage)
+    assert is_hit(stage.traced.t).any()
+    assert not is_hit(stage.traced.t).all()
 
 
 def test_an_empty_mesh_is_no_picture_and_no_fault(right: Engine, staged: Staged) -> None:

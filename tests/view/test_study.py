@@ -23,6 +23,7 @@ from grader.model.trials import (
 from grader.options import Options
 from grader.oracle.balanced import balanced_tree
 from grader.oracle.brute import answers
+from grader.oracle.meshes import mesh_named
 from grader.view.desk import Desk
 from grader.view.panes import pixel_at
 from grader.view.screenshot import wait
@@ -66,6 +67,8 @@ def trials() -> list[Trial]:
     return [
         ConstructTrial("construct", MESH),
         ConstructTrial("empty", soup(0)),
+        ConstructTrial("tiny", mesh_named(41, "scaled-tiny")),
+        ConstructTrial("huge", mesh_named(41, "scaled-huge")),
         RebuildTrial("rebuild", MESH, OTHER),
         TraceTrial("trace", MESH, tree, rays, found, *families, special=False),
         AlteredTrial("altered", MESH, tree, rays, found, none, "nothing"),
@@ -166,10 +169,11 @@ def test_where_construct_crashes_ours_takes_its_place(file: Path) -> None:
     mesh = of_trial("x", ConstructTrial("x", MESH))
     scene = Subject("few", "few", mesh.mesh, mesh.home)
     with Desk(file, OPTIONS, lambda: scene) as desk:
-        until(lambda: desk.stage is not None and desk.stage.traced.is_done, desk.advance)
+        wait(desk, Study(desk))
         assert desk.stage is not None
         assert desk.stage.trouble.startswith("construct: ")
         assert desk.stage.tree is not None
+        assert desk.stage.traced.is_done
 
 
 def test_a_file_of_another_kind_is_refused(tmp_path: Path) -> None:

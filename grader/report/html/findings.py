@@ -185,4 +185,6 @@ def _commands(check: Json, result: Json, words: Words) -> list[tuple[str, str]]:
     if check["counterexample"] is not None:
         file = shlex.quote(check["counterexample"]["file"])
         commands.append((words("Run the smallest example alone"), f"{again} --replay {file}"))
+        viewer = f"bvhgrade view {FILE} --check {file}"
+        commands.append((words("Look at the smallest example from all sides"), viewer))
     return commands

@@ -124,9 +124,11 @@ def test_a_failure_tells_everything_that_is_known() -> None:
     assert one.waiting == ("bvh.children-partition-their-parent",)
     assert one.model == 1
     assert one.table == table
-    again, replay = (command for _, command in one.commands)
+    again, replay, view = (command for _, command in one.commands)
     assert again == "bvhgrade check src/exercise03.cpp --seed 41 --only bvh.boxes-are-tight"
     assert replay.endswith("--replay counterexamples/bvh.boxes-are-tight.json")
+    file = "counterexamples/bvh.boxes-are-tight.json"
+    assert view == f"bvhgrade view src/exercise03.cpp --check {file}"
     assert len(one.hints) == 2
 
 

@@ -203,17 +203,19 @@ const openSpace = (canvas, seen = null) => {
     const other = [...held.values()].find((one) => one.pointerId !== event.pointerId);
     const apart = (one) => Math.hypot(one.clientX - other.clientX, one.clientY - other.clientY) + 1;
     if (other) zoom(apart(last) / apart(event));
-    else if (event.shiftKey) pan((event.clientX - last.clientX) / canvas.clientHeight, (event.clientY - last.clientY) / canvas.clientHeight);
+    else if (event.shiftKey || event.buttons & 2) pan((event.clientX - last.clientX) / canvas.clientHeight, (event.clientY - last.clientY) / canvas.clientHeight);
     else turn((last.clientX - event.clientX) * .01, (event.clientY - last.clientY) * .01);
     held.set(event.pointerId, event);
   });
   for (const name of ["pointerup", "pointercancel"]) canvas.addEventListener(name, (event) => held.delete(event.pointerId));
+  // The right button moves what is seen.
+  canvas.addEventListener("contextmenu", (event) => event.preventDefault());
   canvas.addEventListener("wheel", (event) => {
     if (document.activeElement !== canvas) return;
     event.preventDefault();
     zoom(Math.exp(event.deltaY * .001));
   }, { passive: false });
-  const keys = { ArrowLeft: () => turn(-.1, 0), ArrowRight: () => turn(.1, 0), ArrowUp: () => turn(0, .1), ArrowDown: () => turn(0, -.1), "+": () => zoom(.85), "=": () => zoom(.85), "-": () => zoom(1 / .85), "0": reset };
+  const keys = { ArrowLeft: () => turn(-.1, 0), ArrowRight: () => turn(.1, 0), ArrowUp: () => turn(0, .1), ArrowDown: () => turn(0, -.1), "+": () => zoom(.85), "=": () => zoom(.85), "-": () => zoom(1 / .85), "0": reset, w: () => pan(0, .05), s: () => pan(0, -.05), a: () => pan(.05, 0), d: () => pan(-.05, 0) };
   canvas.addEventListener("keydown", (event) => {
     if (!keys[event.key] || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();

@@ -8,12 +8,24 @@
   const list = byId("steps");
   let opened = null, state = null, subject = -1, tree = -1, look = null, sent = "", image = -1;
 
+  // What the program says in a sentence when it cannot answer; it goes on.
+  class Failed extends Error {}
+  let failed = "";
+  const lost = (error) => {
+    if (!(error instanceof Failed)) throw error;
+    failed = byId("trouble").textContent = error.message;
+    byId("trouble").hidden = false;
+  };
   const ask = async (what, body) => {
     const answer = await fetch(what, body === undefined ? {} : { method: "POST", body: JSON.stringify(body) });
+    if (answer.status === 500) throw new Failed(await answer.json());
     if (!answer.ok) throw new Error(`${what}: ${answer.status}`);
     return answer;
   };
-  const wish = (what, values = {}) => ask("do", { what, ...values }).then((answer) => answer.json()).then(take);
+  const wish = (what, values = {}) => {
+    failed = "";
+    return ask("do", { what, ...values }).then((answer) => answer.json()).then(take).catch(lost);
+  };
 
   // The camera goes to the program as soon as it has taken the one before.
   let underway = false;
@@ -24,7 +36,7 @@
     const now = JSON.stringify({ ...look, size });
     if (now === sent) return;
     underway = true;
-    try { await ask("look", { ...look, size }); sent = now; } finally { underway = false; }
+    try { await ask("look", { ...look, size }); sent = now; } catch (error) { lost(error); return; } finally { underway = false; }
     tell();
   };
   const space = openSpace(stage, (view) => { look = { yaw: view.yaw, pitch: view.pitch, far: view.far, at: view.at }; tell(); });
@@ -80,8 +92,9 @@
     state = now;
     byId("status").textContent = now.status;
     byId("remark").textContent = now.remark;
-    byId("trouble").textContent = now.trouble;
-    byId("trouble").hidden = !now.trouble;
+    byId("trouble").textContent = now.trouble || failed;
+    byId("trouble").hidden = !(now.trouble || failed);
+    byId("again").hidden = !now.ended;
     if (document.activeElement !== mode) mode.value = now.mode;
     if (now.scene && document.activeElement !== scene) scene.value = now.scene;
     byId("scale").hidden = !now.scale;
@@ -120,7 +133,7 @@
   };
   // One question after the other; when the program is gone, nobody is asked any more.
   const again = async (action, pause) => {
-    try { for (;;) { await action(); await new Promise((done) => setTimeout(done, pause)); } }
+    try { for (;;) { await action().catch(lost); await new Promise((done) => setTimeout(done, pause)); } }
     catch { byId("trouble").textContent = words.gone; byId("trouble").hidden = false; }
   };
 
@@ -130,8 +143,15 @@
   scene.addEventListener("change", () => wish("scene", { scene: scene.value }));
   byId("next-node").addEventListener("click", () => wish("next-node"));
   byId("next-ray").addEventListener("click", () => wish("next-ray"));
-  byId("before").addEventListener("click", () => wish("step", { step: state.step - 1 }));
-  byId("after").addEventListener("click", () => wish("step", { step: state.step + 1 }));
+  const step = (by) => state && wish("step", { step: state.step + by });
+  byId("before").addEventListener("click", () => step(-1));
+  byId("after").addEventListener("click", () => step(1));
+  byId("again").addEventListener("click", () => wish("again"));
+  const keys = { n: () => wish("next-node"), r: () => wish("next-ray"), ",": () => step(-1), ".": () => step(1) };
+  document.addEventListener("keydown", (event) => {
+    if (!keys[event.key] || event.ctrlKey || event.metaKey || event.altKey || event.target.matches("input, select")) return;
+    keys[event.key]();
+  });
   byId("node").addEventListener("change", () => wish("node", { node: Number(byId("node").value) }));
   byId("anew").addEventListener("click", () => space && space.reset());
   const pixel = (canvas, event) => {
@@ -143,7 +163,7 @@
   stage.addEventListener("pointerdown", (event) => { pressed = [event.clientX, event.clientY]; });
   stage.addEventListener("pointerup", (event) => {
     const moved = pressed ? Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) : 9;
-    if (moved < 3) wish("pick", { at: pixel(stage, event) });
+    if (moved < 3 && event.button === 0) wish("pick", { at: pixel(stage, event) });
   });
   byId("save").addEventListener("click", () => {
     if (space) space.draw();

@@ -1,0 +1,108 @@
+"""What a window and a study do, where no window and no submission are needed."""
+
+from dataclasses import replace
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any, cast
+
+import numpy as np
+import pytest
+
+from grader.view import window as window_module
+from grader.view.desk import Desk
+from grader.view.panes import Panes
+from grader.view.stage import State
+from grader.view.study import Study
+from grader.view.walking import Walk, cut_off
+from grader.view.window import Window, _hear_drops
+from tests.verify.builder import soup
+from tests.view.shown import confetti, of_mesh
+
+WALK = Walk(np.zeros(8, np.float32), (), 0, np.inf, None, "", -1, "")
+
+
+class StandIn:
+    """Takes the place of a desk, and remembers what was chosen."""
+
+    stage: Any = None
+    size = 8, 8
+
+    def __init__(self) -> None:
+        self.subject = confetti()
+        self.orbit = self.subject.home
+        self.chosen: list[Any] = []
+
+    def choose(self, load: Any) -> None:  # noqa: ANN401 - the desk's own
+        """Remember it."""
+        self.chosen.append(load())
+
+    def advance(self) -> bool:
+        """Have nothing new."""
+        return False
+
+
+def window_on(desk: StandIn) -> Window:
+    """Make a window of it, which is never opened."""
+    study = Study(cast("Desk", desk))
+    return Window(cast("Desk", desk), study, [], str)
+
+
+def test_a_file_that_is_dropped_is_opened(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The last of several; what cannot be read is told."""
+    import glfw
+    from imgui_bundle import glfw_utils
+
+    heard: list[Any] = []
+    monkeypatch.setattr(glfw, "set_drop_callback", lambda _, call: heard.append(call))
+    monkeypatch.setattr(glfw_utils, "glfw_window_hello_imgui", lambda: None)
+    file = tmp_path / "two.obj"
+    file.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\n")
+    desk = StandIn()
+    window = window_on(desk)
+    panes = cast("Panes", SimpleNamespace(advance=lambda: None))
+    _hear_drops(window._dropped.extend)
+    heard[0](None, ["first.txt", str(file)])
+    window._advance(panes)
+    assert [len(one.mesh.faces) for one in desk.chosen] == [2]
+    assert not window.panel.remark
+    heard[0](None, ["notes.txt"])
+    window._advance(panes)
+    window._advance(panes)
+    assert "was expected" in window.panel.remark
+    assert len(desk.chosen) == 1
+
+
+def test_every_picture_is_a_file_of_its_own(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Also two within one second; what drew them is given back."""
+    released: list[bool] = []
+    drawing = SimpleNamespace(release=lambda: released.append(True))
+    monkeypatch.setattr(window_module, "Preview", lambda _: drawing)
+    monkeypatch.setattr(window_module, "panes", lambda *_: np.zeros((4, 4, 3), np.uint8))
+    monkeypatch.chdir(tmp_path)
+    window = window_on(StandIn())
+    window._context = SimpleNamespace(screen=SimpleNamespace(use=lambda: None))
+    window.save()
+    window.save()
+    assert len(list(tmp_path.glob("bvhgrade-few-*.png"))) == 2
+    assert released == [True, True]
+
+
+def test_a_click_after_the_end_is_answered() -> None:
+    """No ray can be followed any more, and that is said."""
+    desk = StandIn()
+    desk.stage = SimpleNamespace(state=State.ENDED, subject=of_mesh(soup(3)), tree=None)
+    study = Study(cast("Desk", desk))
+    study._stage = desk.stage
+    study.follow((1, 1))
+    assert "has ended" in study.remark
+    study.close()
+
+
+def test_a_long_way_says_where_it_is_cut_off() -> None:
+    """Only the first steps are kept, so the last one cannot be reached."""
+    assert not cut_off(WALK, str)
+    assert cut_off(replace(WALK, total=871_414), str) == "Only the first 0 steps are kept."
