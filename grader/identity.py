@@ -22,7 +22,7 @@ WITHOUT_RESULT = (
 )
 """Folders of which nothing is in a stored result."""
 
-_ENDINGS = {".py", ".toml", ".txt", ".cpp", ".h", ".npz", ".exr", ".answers", ".obj"}
+_ENDINGS = {".py", ".toml", ".txt", ".cpp", ".h", ".npz", ".exr", ".answers", ".obj", ".csv"}
 
 
 def grader_digest(without: Collection[str] = WITHOUT_VERDICT) -> str:
