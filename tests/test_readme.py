@@ -35,7 +35,7 @@ MADE_BY_A_COMMAND = (
     "assignment-repository/",
     "similar.html",
     # Of a class.
-    "students/NAME/",
+    "students/",
 )
 
 
