@@ -12,13 +12,14 @@ class Turns:
         """Begin with nobody at work."""
         self._changed = threading.Condition()
         self._running = 0
-        self._waiting = 0
+        self.wanted = 0
+        """How many want to be alone, or are."""
 
     @contextmanager
     def shared(self) -> Iterator[None]:
         """Run beside others, once nobody wants to be alone."""
         with self._changed:
-            self._changed.wait_for(lambda: self._waiting == 0)
+            self._changed.wait_for(lambda: self.wanted == 0)
             self._running += 1
         try:
             yield
@@ -31,7 +32,7 @@ class Turns:
     def alone(self) -> Iterator[None]:
         """Run when nobody else does."""
         with self._changed:
-            self._waiting += 1
+            self.wanted += 1
             self._changed.wait_for(lambda: self._running == 0)
             self._running += 1
         try:
@@ -39,5 +40,5 @@ class Turns:
         finally:
             with self._changed:
                 self._running -= 1
-                self._waiting -= 1
+                self.wanted -= 1
                 self._changed.notify_all()

@@ -78,7 +78,8 @@ def test_nobody_begins_while_one_wants_to_be_alone() -> None:
         with turns.shared():
             first = pool.submit(alone)
             assert asked.wait(5)
-            time.sleep(0.05)
+            while turns.wanted == 0:
+                time.sleep(0.001)
             second = pool.submit(beside)
             time.sleep(0.05)
             assert told == []

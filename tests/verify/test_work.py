@@ -5,14 +5,16 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from grader.model.cases import AlteredCase, WorkCase
+from grader.model.cases import AlteredCase, SurvivalCase, WorkCase
 from grader.model.mesh import Hits
+from grader.model.stages import Ending, Stop
 from grader.model.trials import WorkTrial
 from grader.oracle.altered import altered_trials
 from grader.oracle.brute import NOTHING
 from grader.oracle.bundle import stage_for
 from grader.oracle.ordinary import inbound
-from grader.verify.work import excludes_most_triangles, uses_the_tree
+from grader.verify import work as module
+from grader.verify.work import excludes_most_triangles, unproven, uses_the_tree
 from tests.oracle.tracer import trace
 from tests.oracle.treebuilder import planted
 
@@ -151,3 +153,24 @@ def test_a_twentieth_of_the_faces_costs_all_points(case: WorkCase, forfeits: boo
     evidence = excludes_most_triangles.decide(case)
     assert evidence.forfeits is forfeits
     assert ("costs all points" in "".join(one.message for one in evidence.examples)) is forfeits
+
+
+@pytest.mark.parametrize(
+    ("stop", "large", "judged"),
+    [
+        (Stop.CRASHED, True, True),
+        (Stop.TIMED_OUT, True, True),
+        (Stop.FINISHED, True, False),
+        (Stop.CRASHED, False, False),
+    ],
+)
+def test_who_dies_on_the_large_mesh_has_shown_nothing(
+    stop: Stop, large: bool, judged: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Or a search of all faces had only to end where it would take long."""
+    trial = work(60, 10, 0.1).trial
+    monkeypatch.setattr(module, "LARGE_MESH", len(trial.mesh.faces) - large)
+    evidence = unproven(SurvivalCase("work", trial, Ending(stop, "", 1.0, 1.0, "")))
+    assert (evidence is not None) is judged
+    if evidence is not None:
+        assert (evidence.wrong, evidence.forfeits, evidence.stop) == (1, True, stop)

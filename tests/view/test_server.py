@@ -202,3 +202,31 @@ def test_the_page_does_what_hands_want(page: Page) -> None:
     page.locator("#scene").select_option("nested")
     page.locator("#scene").blur()
     page.get_by_text("11,008 faces").wait_for()
+
+
+def test_the_page_has_the_keys_and_buttons_of_the_window(page: Page) -> None:
+    """Steps by comma and period; W moves what is seen, and so does the right button."""
+    stage = page.locator("#stage").bounding_box()
+    traced = page.locator("#traced").bounding_box()
+    assert stage is not None
+    assert traced is not None
+    page.mouse.click(traced["x"] + traced["width"] / 2, traced["y"] + traced["height"] / 2)
+    page.locator("#steps li").nth(2).wait_for()
+    page.keyboard.press(".")
+    page.keyboard.press(".")
+    page.locator("#steps li:nth-child(2)[aria-current]").wait_for()
+    page.keyboard.press(",")
+    page.locator("#steps li:nth-child(1)[aria-current]").wait_for()
+    picture = "document.getElementById('traced').toDataURL()"
+    page.locator("#stage").focus()
+    before = page.evaluate(picture)
+    page.keyboard.press("w")
+    page.wait_for_function(f"before => {picture} !== before", arg=before)
+    page.locator("#traced[data-share='1']").wait_for()
+    before = page.evaluate(picture)
+    page.mouse.move(stage["x"] + 200, stage["y"] + 200)
+    page.mouse.down(button="right")
+    page.mouse.move(stage["x"] + 260, stage["y"] + 200, steps=3)
+    page.mouse.up(button="right")
+    page.wait_for_function(f"before => {picture} !== before", arg=before)
+    assert page.locator("#again").is_hidden()

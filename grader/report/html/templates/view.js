@@ -143,7 +143,8 @@
   scene.addEventListener("change", () => wish("scene", { scene: scene.value }));
   byId("next-node").addEventListener("click", () => wish("next-node"));
   byId("next-ray").addEventListener("click", () => wish("next-ray"));
-  const step = (by) => state && wish("step", { step: state.step + by });
+  // Counted here as well: a key may be pressed again before the answer to it has come.
+  const step = (by) => state && wish("step", { step: state.step += by });
   byId("before").addEventListener("click", () => step(-1));
   byId("after").addEventListener("click", () => step(1));
   byId("again").addEventListener("click", () => wish("again"));
