@@ -137,7 +137,10 @@ def test_points_withheld_anew_keep_all_as_it_is(
     )
     assert points(out) == before
     assert regraded(anew(out), apply=True) == 0
-    assert begun(log) == ["withheld once", "wrong", "withheld once"]
+    *first, again = begun(log)
+    # Two are graded at once, so either may have begun first.
+    assert sorted(first) == ["withheld once", "wrong"]
+    assert again == "withheld once"
 
 
 def test_what_we_failed_at_before_is_tried_anew(tmp_path: Path, log: Path) -> None:

@@ -25,13 +25,15 @@ def built_libraries(cache: Path) -> Iterator[Libraries]:
 
 
 def has_ratio(reading: Reading) -> bool:
-    """Whether a goal was measured, and the number is one."""
-    return reading.ratio is not None and reading.ratio.low <= reading.ratio.median
+    """Whether a goal was measured, or the machine was too busy for it and the line says so."""
+    if reading.ratio is None:
+        return "lost in the noise" in reading.detail
+    return 0 < reading.ratio.low <= reading.ratio.median
 
 
 def test_every_solution_is_timed(libraries: Libraries, tmp_path: Path) -> None:
     """Six ratios come back, Embree's among them: the package depends on embreex."""
-    course = solutions.course_on(landscape(3_000, 1), 16, 200, rounds=1)
+    course = solutions.course_on(landscape(20_000, 1), 64, 4_000, rounds=2)
     readings = solutions.measured(course, libraries, tmp_path)
     assert [reading.goal.number for reading in readings] == ["2", "6d", "6", "6b", "6c", "7"]
     assert all(map(has_ratio, readings))
