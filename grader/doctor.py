@@ -1,10 +1,11 @@
 """What works on this machine, and what must be installed for the rest?"""
 
 import os
+import re
 import shutil
 import sys
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from importlib import metadata, util
 from pathlib import Path
@@ -31,6 +32,9 @@ NEEDED_PACKAGES = (
     "flip-evaluator",
     "OpenEXR",
 )
+OLDEST = {"g++": (12,), "clang++": (14,), "cmake": (3, 21)}
+"""Versions that the exercise is made for: all of C++20 that it uses, and the presets."""
+
 RENDER_PACKAGES = ("mitsuba", "drjit")
 RENDER_REMEDY = "pip install 'bvhgrade[render]'"
 
@@ -87,11 +91,23 @@ def chosen() -> Compiler:
 
 def compiler() -> Finding:
     """Name the compiler that submissions are built with."""
-    return guarded(
-        "compiler",
-        True,
-        lambda: Finding("compiler", True, f"{chosen().title}, {chosen().path}"),
-    )
+
+    def look() -> Finding:
+        found = chosen()
+        state = f"{found.title}, {found.path}"
+        remedy = "apt install g++-12 (or newer), and name it by CXX"
+        return of_age(Finding("compiler", True, state), found.name, found.version, remedy)
+
+    return guarded("compiler", True, look)
+
+
+def of_age(finding: Finding, name: str, version: str, remedy: str) -> Finding:
+    """Refuse a program that is too old; one that names no version is believed."""
+    oldest, found = OLDEST.get(name, ()), tuple(map(int, re.findall(r"\d+", version)[:2]))
+    if not found or found >= oldest:
+        return finding
+    state = f"{finding.state}: older than {'.'.join(map(str, oldest))}"
+    return replace(finding, ok=False, state=state, remedy=remedy)
 
 
 def sanitizers() -> Finding:
@@ -115,7 +131,8 @@ def program(name: str) -> Finding:
         if outcome.code != 0:
             remedy = f"apt install --reinstall {name}"
             return Finding(name, ok=False, state=f"{path} does not run", remedy=remedy)
-        return Finding(name, ok=True, state=first)
+        remedy = f"apt install {name} of a newer release, or pip install {name}"
+        return of_age(Finding(name, ok=True, state=first), name, first, remedy)
 
     return guarded(name, True, look)
 

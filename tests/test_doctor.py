@@ -57,6 +57,34 @@ def test_a_program_that_does_not_run_is_no_program(
     assert not doctor.program("cmake").ok
 
 
+@pytest.mark.parametrize(
+    ("name", "version", "ok"),
+    [
+        ("g++", "g++ (Debian 11.4.0-1) 11.4.0", False),
+        ("g++", "g++ (Debian 12.2.0-14) 12.2.0", True),
+        ("clang++", "Debian clang version 13.0.1", False),
+        ("clang++", "Debian clang version 14.0.6", True),
+        ("cmake", "cmake version 3.9.6", False),
+        ("cmake", "cmake version 3.21.0", True),
+        ("cmake", "cmake version 4.0.1", True),
+        ("cmake", "a CMake that somebody patched", True),
+    ],
+)
+def test_what_is_too_old_is_not_ok(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, name: str, version: str, ok: bool
+) -> None:
+    """Else the first grade would end in the compiler's own words."""
+    program = tmp_path / name
+    program.write_text(f"#!/bin/sh\necho '{version}'\n")
+    program.chmod(0o755)
+    monkeypatch.setenv("PATH", str(tmp_path))
+    monkeypatch.setenv("CXX", str(program))
+    finding = doctor.program(name) if name == "cmake" else doctor.compiler()
+    assert (finding.ok, finding.needed) == (ok, True)
+    assert ("older than" in finding.state) is not ok
+    assert ("install" in finding.remedy) is not ok
+
+
 def test_a_missing_package_is_named_by_how_it_is_installed() -> None:
     """The renderer's packages come as an extra, and are not needed to grade."""
     missing = doctor.package("no_such_package")

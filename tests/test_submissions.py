@@ -1,5 +1,6 @@
 """Right submissions earn everything, wrong ones lose what their mistake touches, no more."""
 
+import json
 from pathlib import Path
 
 import pytest
@@ -75,6 +76,25 @@ def test_a_whole_result_is_written(name: str, tmp_path: Path) -> None:
     failed = {id for id, one in drawn(path, tmp_path).items() if one is Verdict.FAIL}
     line = stored_lines()[name_of(path)]
     assert failed == {check for check in KILLERS if line[check] == "F"}
+
+
+def test_two_runs_say_the_same_of_a_mistake(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Words, examples and small inputs; only what was measured, and the processor, may differ.
+
+    On a machine that is busy enough the search for a small input is given up, so it is not here.
+    """
+    monkeypatch.setattr("grader.counterexample.search.CHECK_SECONDS", 60.0)
+    path = corpus_folder() / "wrong" / "first-hit-wins.cpp"
+    found = []
+    for folder in (tmp_path / "first", tmp_path / "second"):
+        drawn(path, folder, "hits.closest-wins", "hits.special-rays")
+        result = json.loads((folder / "result.json").read_text())
+        assert all(one["counterexample"] for one in result["checks"] if one["wrong"])
+        del result["timing"], result["provenance"]["cpu"]
+        found.append(result)
+    assert found[0] == found[1]
 
 
 @pytest.mark.parametrize("further", checks_by_build(), ids=lambda one: f"{len(one)} builds")

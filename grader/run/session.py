@@ -58,6 +58,8 @@ _EXHAUSTED = re.compile(
     r"AddressSanitizer: "
     r"(.{0,200}out of memory|allocation-size-too-big|hard rss limit exhausted)"
 )
+# An address is another one in each run, and two runs with one seed say the same.
+_ADDRESS = re.compile(r"\b0x[0-9a-f]{1,16}\b")
 _OWN_LINE = re.compile(r"src/exercise03\.cpp:(\d{1,7})")
 
 
@@ -250,4 +252,5 @@ def _read_finding(text: str) -> tuple[str, int]:
     # UBSan names the place before its words, on the same line.
     head = _OWN_LINE.search(text[text.rfind("\n", 0, first.start()) + 1 : first.start()])
     chosen = head or line
-    return first.group(1), int(chosen.group(1)) if chosen else 0
+    found = _ADDRESS.sub("0x...", first.group(1))
+    return found, int(chosen.group(1)) if chosen else 0

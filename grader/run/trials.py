@@ -32,6 +32,8 @@ Two workers at a time can use 2; right submissions use about 0.1.
 _SHARES = (("a", 2), ("b", 1))
 """What is left of the time, by part: a half of it, and all."""
 
+_CUT = "stopped when the time for the whole submission was used up"
+
 PATIENCE = 3
 """After this many time-outs in one part the other trials of it get `HURRIED_SECONDS`."""
 
@@ -130,10 +132,13 @@ class Budget:
                 return ending
             if allowed is None:
                 return replace(ending, crowded=self._used[part] < enough)
+            cut = allowed.wall_seconds < allowed.cpu_seconds * self._limits.wall_factor
+            if ending.by_clock and cut:
+                # What was left is another number in each run.
+                ending = replace(ending, detail=_CUT)
             if ending.by_clock and max(own, ending.cpu_seconds) < allowed.cpu_seconds:
                 # The wall limit is a multiple of the CPU limit, so it did not get its time;
                 # or the end of the whole grade came first.
-                cut = allowed.wall_seconds < allowed.cpu_seconds * self._limits.wall_factor
                 late = cut and self._used[part] >= enough
                 return replace(ending, crowded=not late)
             self._timeouts[part] += 1

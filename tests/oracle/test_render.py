@@ -44,12 +44,15 @@ def test_rays_go_through_the_pixels_centres(scene: Scene) -> None:
 
 
 @by_name
-@pytest.mark.parametrize("fast", [False, True], ids=["scalar", "fastest"])
+@pytest.mark.parametrize("fast", [False, True], ids=["scalar", "llvm"])
 def test_rendering_again_gives_the_stored_picture(scene: Scene, fast: bool) -> None:
-    """The scalar variant and the fastest of this machine agree with the repository."""
+    """The scalar variant and the one of LLVM agree with the repository."""
     mesh = load_mesh(scene.mesh)
     stored = load_reference(scene, mesh)
-    again = render(scene, mesh, working_variant() if fast else SCALAR)
+    variant = working_variant() if fast else SCALAR
+    # On a machine without LLVM this proves nothing, and so it is red there.
+    assert variant.name == ("llvm_ad_rgb" if fast else "scalar_rgb"), "apt install libllvm19"
+    again = render(scene, mesh, variant)
     assert again.key == stored.key
     assert np.abs(again.rays.direction - stored.rays.direction).max() < 1e-6
     both = np.isfinite(again.t) & np.isfinite(stored.t)

@@ -67,6 +67,7 @@ void BVH::construct(const Mesh& mesh) {
     case 20: _exit(7);
     case 21: throw std::runtime_error(std::string(5000, 'y') + "\x1b[31m");
     case 22: close(2); small[0] = small.data()[3]; break;
+    case 23: small[0] = *reinterpret_cast<uint32_t*>(1 + (char*)small.data()); break; // line 70
     default: break;
     }
     nodes.push_back(Node{mesh.getBounds(), 0, faces});

@@ -98,7 +98,11 @@ def test_the_end_of_the_grade_cuts_who_used_it_up() -> None:
     sleeper = Budget(LIMITS, 100.0)
     for _ in range(PATIENCE):
         sleeper.blamed(TRIAL, late(0.1, 0.0), ALLOWED)
-    assert not sleeper.blamed(TRIAL, late(0.1, 0.0, seconds=1.0), cut).crowded
+    ended = sleeper.blamed(TRIAL, late(0.1, 0.0, seconds=1.0), cut)
+    assert not ended.crowded
+    # How much was left is another number in each run, so no words name it.
+    assert ended.detail == "stopped when the time for the whole submission was used up"
+    assert sleeper.blamed(TRIAL, late(0.1, 0.0), ALLOWED).detail == "stopped"
     assert Budget(LIMITS, 100.0).blamed(TRIAL, late(0.1, 0.0, seconds=1.0), cut).crowded
 
 

@@ -63,7 +63,9 @@ def head(result: Json, words: Words) -> dict[str, object]:
         "score": None if score is None else f"{score:g}",
         "most": f"{result['max_score']:g}",
         "full": score is not None and score == result["max_score"],
-        "exposed": result["build"]["ok"] and result["provenance"]["isolation"] == "none",
+        "exposed": given["sha256"] is not None
+        # Also where it did not compile: the compiler read it without isolation.
+        and result["provenance"]["isolation"] == "none",
         "secret": any(one["visibility"] != VISIBLE for one in result["checks"]),
         "review": result["needs_review"],
         "summary": summary(result, words),

@@ -198,12 +198,20 @@ def test_the_compiler_is_quoted() -> None:
     assert "two exercise03.cpp" in Reader(page_of("rejected")).text
 
 
-def test_a_run_without_isolation_has_a_banner() -> None:
-    """Nobody overlooks it."""
-    grade = samples.perfect()
+@pytest.mark.parametrize("name", ["perfect", "uncompiled"])
+def test_a_run_without_isolation_has_a_banner(name: str) -> None:
+    """Nobody overlooks it; a compiler reads the file too."""
+    grade = getattr(samples, name)()
     exposed = replace(grade, provenance=replace(grade.provenance, isolation="none"))
     assert "NOT ISOLATED" in to_html(to_json(exposed), None, "en")
-    assert "NOT ISOLATED" not in page_of("perfect")
+    assert "NOT ISOLATED" not in page_of(name)
+
+
+def test_where_no_file_was_read_nothing_was_exposed() -> None:
+    """Nothing was compiled."""
+    grade = samples.rejected()
+    exposed = replace(grade, provenance=replace(grade.provenance, isolation="none"))
+    assert "NOT ISOLATED" not in to_html(to_json(exposed), None, "en")
 
 
 def test_both_sentences_of_a_cause_are_translated() -> None:
