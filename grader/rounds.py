@@ -100,6 +100,9 @@ class Rounds:
         self.small_depths: list[DepthCase] = []
         """Trees of the sanitized build, which say something only if they end at its limit."""
 
+        self._reached = False
+        """Some tree of the submission has the level of the depth limit, the root being 0."""
+
     def cases(self, trials: Sequence[Trial]) -> Iterator[Case]:
         """Run trials and yield what checks may look at, in the order of the trials."""
         reference = self._solution.cpu_seconds(trials)
@@ -112,6 +115,8 @@ class Rounds:
                 self._vouch(case)
                 if self._options.views:
                     self._gallery.note(case)
+                if isinstance(case, DepthCase):
+                    self._reached |= deepest_level(case) == case.max_depth
                 if isinstance(case, DepthCase) and case.trial.sanitized:
                     self.small_depths.append(case)
                 elif isinstance(case, WorkCase):
@@ -168,6 +173,5 @@ class Rounds:
 
         Those of a submission that counts the root as level 1 end before, and it may rely on it.
         """
-        reached = any(deepest_level(case) == case.max_depth for case in self.small_depths)
-        deeper = deeper_trials(self._options.seed) if reached else ()
+        deeper = deeper_trials(self._options.seed) if self._reached else ()
         return [trial for trial in deeper if hopeful(trial, summary)]

@@ -229,6 +229,8 @@ def _read_commands(folder: Path) -> Workspace:
     words = shlex.split(mine["command"])
     object_name = words[words.index("-o") + 1]
     plain = [word for word in words if word not in ("-c", "-o", object_name, source)]
+    # As beside the file that a student edits: what lies in that folder can be included.
+    plain += ["-iquote", str(folder / "stub" / "src")]
     graph = [word for word in plain if not word.startswith("-O")] + ["-O0", "-g1", "-w"]
     # So that a file cannot show the reader of calls another code than it runs.
     graph += ["-D__OPTIMIZE__=1", "-U__NO_INLINE__", "-isystem", str(folder / INTRINSICS)]

@@ -22,7 +22,7 @@ from grader.cli.options import (
     unsafe_option,
 )
 from grader.cli.output import patient_stdout
-from grader.cli.progress import shown_progress
+from grader.cli.progress import shown, shown_progress
 from grader.cli.replaying import replayed, require_alone
 from grader.cli.status import FULL_MARKS, LOST_POINTS, OUR_FAULT
 from grader.errors import UsageError
@@ -215,7 +215,8 @@ def stored(folder: Path, result: Grade, language: str) -> Path:
     """Write a result with everything that belongs to it, and say where the report lies."""
     from grader.kept import kept, write_result
 
-    return write_result(folder, kept(result), language)
+    with shown("writing the report"):
+        return write_result(folder, kept(result), language)
 
 
 def report(result: Grade, order: Order, written: Path) -> None:

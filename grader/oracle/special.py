@@ -74,7 +74,8 @@ def any_length(stage: Stage, count: int) -> Rays:
 def along_axes(stage: Stage, count: int) -> Rays:
     """Parallel to one or two axes, with zeros of both signs, often in a box's plane.
 
-    Some start so far away that a zero must not be replaced by something small.
+    Some start so far away, and some are so short, that a zero must not be replaced by something
+    small.
     """
     direction = directions(stage, count)
     axis = stage.rng.integers(3, size=count)
@@ -87,7 +88,10 @@ def along_axes(stage: Stage, count: int) -> Rays:
     through = _mixed(stage, within(stage, count))
     distance = np.full((count, 1), 2.0)
     distance[::3] = 10.0 ** stage.rng.uniform(*FAR, distance[::3].shape)
-    return beams(through - distance * stage.radius * direction, direction)
+    length = np.ones((count, 1))
+    length[1::3] = SHORT
+    origin = through - distance * stage.radius * direction
+    return beams(origin, direction * length, (EPSILON / length)[:, 0])
 
 
 def in_slab_planes(stage: Stage, count: int) -> Rays:
@@ -179,6 +183,9 @@ leaves open on faces that are not small against their distance from the world's 
 
 HEIGHT = 0.3
 """Lengths of an edge from which a face is looked at, so that t is short and well known."""
+
+SHORT = 1e-7
+"""Length of some directions that have zeros: 1e-8 beside it is no zero."""
 
 FAR = (2.5, 3.0)
 """Powers of ten between which distances are drawn, in radii, from which axes are followed.

@@ -109,6 +109,12 @@ def test_an_object_within_an_assembler_statement_is_not_compiled(
     assert "hidden" in error.text
 
 
+def test_what_lies_beside_the_given_file_can_be_included(compiled: Compile) -> None:
+    """The folder of the one file that a student edits holds some of the given code, too."""
+    build = compiled('#include "counters.h"\n#include "path.h"\n' + BEGIN + CONSTRUCT + INTERSECT)
+    assert build.library, build.diagnostics
+
+
 def test_a_function_that_is_nowhere_is_named(compiled: Compile) -> None:
     """A declaration without a definition does not link."""
     source = "void helper(int);\nvoid BVH::construct(const Mesh&) { helper(1); }\n"
@@ -118,12 +124,17 @@ def test_a_function_that_is_nowhere_is_named(compiled: Compile) -> None:
 
 
 @pytest.mark.parametrize(
-    "source", ["", "\0", "#include __FILE__\n", "#error <b>\x1b[31m</b>\n"]
+    ("source", "said"),
+    [
+        ("", "link: "),
+        ("\0", "null character"),
+        ("#include __FILE__\n", "nested"),
+        ("#error <b>\x1b[31m</b>\n", "#error <b>"),
+    ],
 )
-def test_strange_files_are_values(compiled: Compile, source: str) -> None:
-    """Empty, binary, endless and hostile files either compile or have an error."""
-    build = compiled(source)
-    assert build.library or errors(build)
+def test_strange_files_are_values(compiled: Compile, source: str, said: str) -> None:
+    """Empty, binary, endless and hostile files have an error, in the compiler's words."""
+    assert any(said in each.text for each in errors(compiled(source)))
 
 
 FLOOD = """

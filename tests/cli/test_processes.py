@@ -57,6 +57,17 @@ def test_the_status_leaves_the_process(here: Path, sample: str, status: int) -> 
     assert run(here, stand_in(sample, "check", FILE)).returncode == status
 
 
+def test_without_a_compiler_grading_says_what_to_install(here: Path, tmp_path: Path) -> None:
+    """It is nobody's mistake: no result is written."""
+    nowhere = {"PATH": str(tmp_path / "bin"), "BVHGRADE_CACHE": str(tmp_path / "cache")}
+    words = [sys.executable, "-m", "grader.cli", "grade", FILE]
+    ended = run(here, words, **nowhere)
+    assert ended.returncode == 3
+    assert b"install the Debian package g++" in ended.stderr
+    assert b"Traceback" not in ended.stderr
+    assert not (here / "bvhgrade-out" / RESULT).exists()
+
+
 def test_an_interruption_ends_with_130_and_leaves_no_result(here: Path) -> None:
     """Ctrl-C in the middle of a grading."""
     process = subprocess.Popen(

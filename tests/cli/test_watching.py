@@ -6,7 +6,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 import pytest
@@ -59,6 +59,16 @@ def asked(here: Path) -> list[str]:
     """What the stand-in pipeline was asked so far."""
     path = here / "asked"
     return path.read_text().splitlines() if path.exists() else []
+
+
+def is_running(words: str) -> bool:
+    """Whether there is a process of these words."""
+    wanted = words.encode().replace(b" ", b"\0") + b"\0"
+    for folder in Path("/proc").glob("[0-9]*"):
+        with suppress(OSError):
+            if (folder / "cmdline").read_bytes() == wanted:
+                return True
+    return False
 
 
 @contextmanager
@@ -122,7 +132,9 @@ def test_ctrl_c_ends_a_run_with_its_processes(tmp_path: Path) -> None:
     """Nobody waits for what was started."""
     (tmp_path / FILE).write_text("long")
     with watching(tmp_path, stand_in("content", "check", FILE)):
-        until(lambda: asked(tmp_path) == ["long all"], "the first run")
+        words = tmp_path / "waits"
+        until(lambda: words.exists() and is_running(words.read_text()), "the first run")
+    assert not is_running(words.read_text())
 
 
 def test_a_reader_that_goes_away_ends_the_watch(tmp_path: Path) -> None:
