@@ -83,7 +83,7 @@ def test_two_runs_say_the_same_of_a_mistake(
 ) -> None:
     """Words, examples and small inputs; only what was measured, and the processor, may differ.
 
-    On a machine that is busy enough the search for a small input is given up, so it is not here.
+    On a busy machine the search for a small input is given up, so it is given time here.
     """
     monkeypatch.setattr("grader.counterexample.search.CHECK_SECONDS", 60.0)
     path = corpus_folder() / "wrong" / "first-hit-wins.cpp"
@@ -117,7 +117,7 @@ def test_a_right_submission_earns_everything(name: str) -> None:
 def test_the_matrix_is_of_these_files() -> None:
     """Whoever edits a submission writes the matrix anew.
 
-    What the grader says of them today is `bvhgrade certify`'s to ask: a sample in each run of CI.
+    What the grader says of them today, `bvhgrade certify` asks: a sample in each run of CI.
     """
     stored = {name: line["sha256"] for name, line in stored_lines().items()}
     assert stored == {name_of(path): digest_of(path) for path in every_submission()}

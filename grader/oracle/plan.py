@@ -51,7 +51,7 @@ REBUILT = (
     ("cloud-37", "cloud-4"),
     ("strip-x", "strip-y"),
 )
-"""Meshes A and B: B smaller, larger, empty, of a single leaf, and two that differ in no size."""
+"""Meshes A and B: B smaller, larger, empty, a single leaf, and two that differ in no size."""
 
 ALTERED = ("terrain-1200", "dragon-res4", "cloud-37")
 """Meshes of altered trees: on a small one too nobody may do without the tree."""
