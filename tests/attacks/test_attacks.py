@@ -54,7 +54,7 @@ _SANITIZED = ("bvh.memory-is-safe", "hits.memory-is-safe", "bvh.depth-is-limited
 
 WITHIN = re.compile(
     "(brute|cache|callgraph|chance|detect|forge|interpose)-"
-    "|(known|linker|patch|state|terminal|text)-"
+    "|(known|linker|patch|state|terminal|text)-|memory-of-the-sanitizer|clock-(busy|hides)-"
     "|compile-(constexpr|deep|diagnostics|giant|long|macro|many|nested|self|template)"
 )
 """Attacks that stay within their own process, and bombs that the limits of one process end:

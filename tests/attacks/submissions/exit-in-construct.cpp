@@ -1,4 +1,5 @@
 // attack: says that all went well and leaves, before anything is built.
+// grade: bvh.rebuild-starts-afresh, bvh.survives-every-mesh, work.uses-the-tree
 // expect: a = 0; b = full; stop crashed; fails bvh.survives-every-mesh
 #include "bvh.h"
 #include "intersection.h"

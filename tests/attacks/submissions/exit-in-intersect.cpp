@@ -1,4 +1,5 @@
 // attack: says that all went well and leaves, before anything is traced.
+// grade: bvh.rebuild-starts-afresh, work.uses-the-tree, hits.survives-every-ray
 // expect: a = full; b = 0; stop crashed
 #include "bvh.h"
 #include "intersection.h"

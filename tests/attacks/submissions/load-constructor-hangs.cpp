@@ -1,5 +1,5 @@
 // attack: never comes back from being loaded.
-// grade: bvh.rebuild-starts-afresh, hits.calls-are-independent
+// grade: bvh.rebuild-starts-afresh, work.uses-the-tree
 // expect: a = 0; b = 0; stop timed_out
 #include "bvh.h"
 #include "intersection.h"

@@ -1,5 +1,6 @@
 // attack: a thread-local object that ends the process in every thread but the first.
-// expect: a = full; b >= 20; b < full; stop crashed
+// grade: bvh.rebuild-starts-afresh, work.uses-the-tree, hits.survives-every-ray
+// expect: a = full; b >= 2; b < full; stop crashed
 // expect: fails hits.survives-every-ray
 #include "bvh.h"
 #include "intersection.h"
