@@ -7,6 +7,7 @@ from pathlib import Path
 from grader.certify.corpus import Wrong, checkout, name_of
 from grader.certify.fates import FATES, Counts, share_caught, stored_counts
 from grader.certify.holes import Kind, full_marks, holes, without_killer
+from grader.certify.matrix import stored_states
 from grader.certify.row import Row
 from grader.certify.seeds import stored_tried, tried_lines
 from grader.certify.smallest import smallest_lines, stored_smallest
@@ -128,7 +129,9 @@ def _summary(rows: Sequence[Row], wrong: Sequence[Wrong]) -> str:
     right = sum(row.name.startswith("right/") for row in rows)
     full = sum(full_marks().values())
     lines = [f"| {kind.value} | {count} |\n" for kind, count in counts.items()]
+    states = (f"`{state}` {count}" for state, count in sorted(stored_states().items()))
     return (
         f"\n{right} right files have to earn {full:g} points, {len(wrong)} wrong ones less.\n"
+        f"Graded by state of the grader: {', '.join(states)}.\n"
         f"\n| what could be wrong | found |\n|---|---:|\n{''.join(lines)}"
     )

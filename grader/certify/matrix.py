@@ -5,6 +5,7 @@ nothing: the matrix tells who kills, not who waits.
 """
 
 import csv
+from collections import Counter
 from collections.abc import Iterable
 from pathlib import Path
 
@@ -17,6 +18,9 @@ SEED = 41
 """The seed of the stored matrix."""
 
 FAILED, BROKEN = "F", "!"
+
+GRADER = "grader"
+"""Column of the state of the grader that graded a line, as `grader_digest` says."""
 
 Line = dict[str, str]
 
@@ -49,6 +53,18 @@ def row_of(line: Line) -> Row:
 
 def stored_lines() -> dict[str, Line]:
     """The stored matrix, by submission."""
+    lines = _read()
+    for line in lines.values():
+        line.pop(GRADER, None)
+    return lines
+
+
+def stored_states() -> Counter[str]:
+    """How many lines each state of the grader graded."""
+    return Counter(line.get(GRADER) or "unknown" for line in _read().values())
+
+
+def _read() -> dict[str, Line]:
     if not matrix_file().exists():
         return {}
     with matrix_file().open(newline="") as file:
@@ -72,15 +88,16 @@ def _stored_row(name: str, digest: str, lines: dict[str, Line]) -> Row:
     return Row(name, digest, SEED, (), (), (why,))
 
 
-def store(rows: Iterable[Row], known: Iterable[str]) -> None:
+def store(rows: Iterable[Row], known: Iterable[str], grader: str) -> None:
     """Write these rows into the matrix: a line a submission, a column a check.
 
     Args:
         rows: What the matrix's seed says of some submissions.
         known: Names of all submissions there are; lines of others are dropped.
+        grader: The state of the grader that graded these rows.
     """
-    lines = stored_lines() | {row.name: line_of(row) for row in rows}
-    columns = ["submission", "sha256", *PARTS, *(each.id for each in every_check())]
+    lines = _read() | {row.name: line_of(row) | {GRADER: grader} for row in rows}
+    columns = ["submission", "sha256", *PARTS, *(each.id for each in every_check()), GRADER]
     with matrix_file().open("w", newline="") as file:
         writer = csv.DictWriter(file, columns, lineterminator="\n", extrasaction="ignore")
         writer.writeheader()

@@ -137,9 +137,10 @@ def keep(rows: "Sequence[Row]", found: "Sequence[Hole]", whole: bool) -> None:
     from grader.identity import grader_digest
 
     decided = [row for row in rows if row.seed == SEED and not row.broken]
-    store(decided, [name_of(path) for path in every_submission()])
+    grader = grader_digest()
+    store(decided, [name_of(path) for path in every_submission()], grader)
     if whole:
-        store_tried(tried(rows, found, grader_digest()))
+        store_tried(tried(rows, found, grader))
 
 
 def write_certificate() -> None:

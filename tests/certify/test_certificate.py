@@ -68,6 +68,21 @@ def test_the_stored_matrix_has_no_hole(monkeypatch: pytest.MonkeyPatch, tmp_path
     assert (tmp_path / "certificate.md").read_text() == certificate_file().read_text()
 
 
+def test_each_line_knows_which_grader_made_it(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """Lines of an older one stay, and the certificate counts both."""
+    monkeypatch.setattr(matrix, "matrix_file", lambda: tmp_path / "matrix.csv")
+    first, second, *_ = (row_of(line) for line in STORED.values())
+    names = [first.name, second.name]
+    matrix.store([first, second], names, "older")
+    matrix.store([second], names, "newer")
+    assert stored_lines() == {name: STORED[name] for name in names}
+    assert matrix.stored_states() == {"older": 1, "newer": 1}
+    told = certificate(stored_rows(every_submission()), wrong_submissions())
+    assert "Graded by state of the grader: `newer` 1, `older` 1.\n" in told
+
+
 def test_the_table_of_mutants() -> None:
     """A line for each original, their sum, and the share that is caught."""
     counts = {"x.cpp": dict.fromkeys(FATES, 1), "y.cpp": dict.fromkeys(FATES, 2)}
