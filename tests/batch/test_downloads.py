@@ -72,13 +72,12 @@ def test_a_second_download_replaces_the_first(tmp_path: Path, name: str) -> None
 def test_two_of_one_download_stay_two(tmp_path: Path) -> None:
     """Whatever they share: neither is graded in place of the other."""
     person = ("Ada", "9001", "a@uni.example")
-    for number, files in enumerate(
-        [
-            of_gradescope(("1", *person, "a"), ("2", *person, "b")),
-            {"ada.cpp": "a", "ada.zip": packed({"exercise03.cpp": "b"})},
-            {"lovelaceada_9001_7_x.cpp": "a", "eve_9001_55_8_x.cpp": "b"},
-        ]
-    ):
+    classes: list[Files] = [
+        of_gradescope(("1", *person, "a"), ("2", *person, "b")),
+        {"ada.cpp": "a", "ada.zip": packed({"exercise03.cpp": "b"})},
+        {"lovelaceada_9001_7_x.cpp": "a", "eve_9001_55_8_x.cpp": "b"},
+    ]
+    for number, files in enumerate(classes):
         with class_of(folder_of(tmp_path, f"class-{number}", files)) as class_:
             assert len({place.key for place in class_.places}) == 2
 
