@@ -7,11 +7,13 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+from grader.batch.keys import carry_over
 from grader.errors import OutputFault, UsageError
 from grader.output import STORE
 
 LOCK = ".batch.lock"
-VERSION = 1
+VERSION = 2
+"""1 had other keys."""
 
 _SCHEMA = """
 CREATE TABLE settings (digest TEXT PRIMARY KEY, text TEXT NOT NULL, current INTEGER NOT NULL)
@@ -95,6 +97,11 @@ def _prepared(base: sqlite3.Connection, folder: Path) -> None:
         base.execute("PRAGMA synchronous = FULL")
         if version == 0:
             base.executescript(f"BEGIN; {_SCHEMA} PRAGMA user_version = {VERSION}; COMMIT;")
+        elif version == 1:
+            base.execute("BEGIN IMMEDIATE")
+            carry_over(base)
+            base.execute(f"PRAGMA user_version = {VERSION}")
+            base.execute("COMMIT")
         elif version != VERSION:
             raise UsageError(
                 f"{folder / STORE}: its schema is version {version}, but this grader reads "

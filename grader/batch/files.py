@@ -1,13 +1,16 @@
 """What lies in each student's folder? What the store holds, under the student's own name."""
 
 import json
+import shutil
+from pathlib import Path
 
 from grader.batch.job import Job
 from grader.batch.records import Student
+from grader.batch.settings import Settings
 from grader.batch.store import Store
 from grader.errors import OutputFault, UsageError
 from grader.kept import Result, kept, write_result
-from grader.output import STUDENT, STUDENTS, ready, write_whole
+from grader.output import RESULT, STUDENT, STUDENTS, ready, write_whole
 from grader.pipeline import grade_located, withheld_grade
 from grader.report import as_json
 from grader.report.escape import for_json
@@ -53,6 +56,35 @@ class Results:
         written = "" if student.fault else self._job.settings.digest
         self._store.mark_written(student, written)
         return True
+
+
+def is_written(student: Student, folder: Path, settings: Settings) -> bool:
+    """Whether a student's folder holds the result of these settings.
+
+    Args:
+        student: Whose folder.
+        folder: Of the class; somebody may have removed files in it.
+        settings: Of the class.
+    """
+    own = folder / STUDENTS / student.slug
+    return student.written == settings.digest and all(
+        (own / name).is_file() for name in (RESULT, STUDENT)
+    )
+
+
+def remove_folder(job: Job, student: Student) -> None:
+    """Remove a student's folder.
+
+    Raises:
+        OutputFault: It is there, and cannot be removed.
+    """
+    folder = job.folder / STUDENTS / student.slug
+    try:
+        shutil.rmtree(folder)
+    except FileNotFoundError:
+        return
+    except OSError as fault:
+        raise OutputFault(f"{folder} cannot be removed: {fault.strerror}") from fault
 
 
 def _known(student: Student) -> str:

@@ -7,22 +7,29 @@ Canvas' lib/content_zipper.rb, `get_filename` and `add_upload_submission`
 `ASSIGNMENT-submissions` with one `ASSIGNMENT-LOGIN` for each student.
 
 The name of one student's file must not decide about others: a layout is one that all have, and
-what is not taken for a submission is listed.
+what is not taken for a submission is listed. Who it is in the next download, too, is said by
+the platform's own number and not by a name, which changes.
 """
 
 import re
-from collections.abc import Iterator, Sequence
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain
 
 from grader.batch.gradescope import METADATA, Submitter, submitters
+from grader.batch.keys import anonymous_key, gradescope_key, key_of, stem_of
 from grader.batch.sources import Item, Source, notes
 from grader.gradebook.marks import HANDED_IN, moodle_mark
-from grader.intake.candidates import Entry
+from grader.intake.candidates import Entry, is_source
 
-_CANVAS = re.compile(r"(.+?)(?:_LATE)?_(\d+)_(\d+)_(.+)", re.DOTALL)
-_CANVAS_ANONYMOUS = re.compile(r"(?:LATE_)?(anon_([A-Za-z0-9]+))_(\d+)_(.+)", re.DOTALL)
-_CANVAS_COPY = re.compile(r"(exercise03)-\d+(\.cpp)")
+_CANVAS_FILE = r"_(?:\d+_(.+)|(?:text|link)\.html)"
+"""A file with a number of its own, or what was typed, which Canvas writes into one."""
+
+_CANVAS = re.compile(r"(.+?)(?:_LATE)?_(\d+)" + _CANVAS_FILE, re.DOTALL)
+_CANVAS_ANONYMOUS = re.compile(r"(?:LATE_)?(anon_([A-Za-z0-9]+))" + _CANVAS_FILE, re.DOTALL)
+_CANVAS_COPY = re.compile(r"^(exercise03)-\d+(\.cpp)\Z")
+_OF_GRADESCOPE = re.compile(r"submission_\d+")
 _GITHUB = "-submissions"
 
 
@@ -40,7 +47,7 @@ class Place:
     """Where the submission of one student lies."""
 
     key: str
-    """Tells it from all others in this class, in every run."""
+    """Tells the student from all others in this class, in every run and every download."""
 
     name: str
     """Of the student, as a stranger or a learning system wrote it."""
@@ -83,18 +90,27 @@ def arranged(source: Source, name: str) -> Arrangement:
     items = source.items()
     results = [one for one in items if _is_of_results(source, one)]
     members = [one for one in items if one not in results]
-    if len(members) == 1 and members[0].is_folder:
+    stem = name.removesuffix(".zip")
+    if len(members) == 1 and members[0].is_folder and not _is_marked(members[0].name, stem):
         inner = source.within(members[0].name)
         if _is_wrapper(inner):
             found = arranged(inner, members[0].name)
             return replace(found, others=(*found.others, *(one.name for one in results)))
-    layout, places = _arranged(source, members, name.removesuffix(".zip"))
+    layout, places = _arranged(source, members, stem)
     taken = {member.item for place in places for member in place.members} | {METADATA}
     if layout == "Moodle":
         # A remark beside a file is its student's.
         taken |= {one.name for one in items if moodle_mark(one.name)}
     others = tuple(one.name for one in items if one.name not in taken)
-    return Arrangement(layout, source, places, others)
+    return Arrangement(layout, source, list(_told_apart(layout, places)), others)
+
+
+def _told_apart(layout: str, places: Sequence[Place]) -> Iterator[Place]:
+    """Two of one download stay two, and nobody's file is taken for somebody else's."""
+    times = Counter(place.key for place in places)
+    for place in places:
+        word = place.members[0].item if layout in {"plain", "Gradescope"} else place.name
+        yield replace(place, key=f"{place.key}/{word}") if times[place.key] > 1 else place
 
 
 def _arranged(source: Source, items: Sequence[Item], stem: str) -> tuple[str, list[Place]]:
@@ -104,11 +120,22 @@ def _arranged(source: Source, items: Sequence[Item], stem: str) -> tuple[str, li
     for layout, read in (("Moodle", _moodle), ("Canvas", _canvas)):
         if places := read(items):
             return layout, places
-    prefix = stem.removesuffix(_GITHUB) + "-" if stem.endswith(_GITHUB) else ""
+    prefix = _prefix(stem)
     if prefix and all(one.name.startswith(prefix) for one in items if one.is_folder):
         return "GitHub Classroom", list(_github(items, prefix))
-    own = (one for one in items if _is_own(one))
-    return "plain", [Place(one.name, _stem(one), (Member(one.name),)) for one in own]
+    return "plain", [_plain(one) for one in items if _is_own(one)]
+
+
+def _prefix(stem: str) -> str:
+    """How the folders of a clone of GitHub Classroom begin; empty if it is none."""
+    return stem.removesuffix(_GITHUB) + "-" if stem.endswith(_GITHUB) else ""
+
+
+def _is_marked(name: str, stem: str) -> bool:
+    """A platform made this folder for one student, who decides what is in it."""
+    prefix = _prefix(stem)
+    by_github = bool(prefix) and name.startswith(prefix)
+    return by_github or bool(moodle_mark(name) or _OF_GRADESCOPE.fullmatch(name))
 
 
 def _is_of_results(source: Source, item: Item) -> bool:
@@ -124,6 +151,8 @@ def _is_wrapper(inner: Source) -> bool:
     """A folder holds a class and is no submission: what is in it is several people's."""
     items = inner.items()
     own = [item for item in items if _is_own(item)]
+    if any(is_source(item.name) and not item.is_folder for item in items):
+        return False
     if METADATA in [item.name for item in items] or _moodle(items) or _canvas(items):
         return True
     return len(own) >= 2 and all(_holds_source(inner, item) for item in own)
@@ -139,11 +168,9 @@ def _is_own(item: Item) -> bool:
     return item.is_folder or item.name.lower().endswith(HANDED_IN)
 
 
-def _stem(item: Item) -> str:
-    if item.is_folder:
-        return item.name
-    ending = max((e for e in HANDED_IN if item.name.lower().endswith(e)), key=len)
-    return item.name[: len(item.name) - len(ending)] or item.name
+def _plain(item: Item) -> Place:
+    stem = item.name if item.is_folder else stem_of(item.name)
+    return Place(key_of("plain", stem), stem, (Member(item.name),))
 
 
 def _moodle(items: Sequence[Item]) -> list[Place]:
@@ -157,26 +184,33 @@ def _moodle(items: Sequence[Item]) -> list[Place]:
         elif _is_own(item):
             return []
     return [
-        # What was typed beside a file is a remark and no submission.
-        Place(f"{name}_{id}", name, tuple(plugins.get("file") or chain(*plugins.values())), id)
-        for (name, id), plugins in found.items()
+        _place(key_of("Moodle", id), name, id, plugins) for (name, id), plugins in found.items()
     ]
 
 
 def _canvas(items: Sequence[Item]) -> list[Place]:
-    """One folder, or one file without these numbers, shows that it is no such download."""
-    found: dict[tuple[str, str], list[Member]] = {}
+    """One folder, or one file to grade without these numbers, shows that it is no such one."""
+    found: dict[tuple[str, str], dict[str, list[Member]]] = {}
+    keys: dict[tuple[str, str], str] = {}
     for item in items:
-        match = _CANVAS_ANONYMOUS.fullmatch(item.name) or _CANVAS.fullmatch(item.name)
-        if item.is_folder or not match:
+        anonymous = _CANVAS_ANONYMOUS.fullmatch(item.name)
+        match = anonymous or _CANVAS.fullmatch(item.name)
+        if _is_own(item) and (item.is_folder or not match):
             return []
-        name, id, _, file = match.groups()
+        if not match:
+            continue
+        name, id, file = match.groups()
+        keys[name, id] = anonymous_key(id) if anonymous else key_of("Canvas", id)
         # Canvas counts what is handed in again under the same name.
-        path = _CANVAS_COPY.sub(r"\1\2", file) if _CANVAS_COPY.fullmatch(file) else file
-        found.setdefault((name, id), []).append(Member(item.name, path))
-    return [
-        Place(f"{name}_{id}", name, tuple(members), id) for (name, id), members in found.items()
-    ]
+        path = _CANVAS_COPY.sub(r"\1\2", file or "text.html")
+        kinds = found.setdefault((name, id), {})
+        kinds.setdefault("file" if file else "typed", []).append(Member(item.name, path))
+    return [_place(keys[name, id], name, id, kinds) for (name, id), kinds in found.items()]
+
+
+def _place(key: str, name: str, id: str, kinds: Mapping[str, Sequence[Member]]) -> Place:
+    """What was typed beside a file is a remark and no submission."""
+    return Place(key, name, tuple(kinds.get("file") or chain(*kinds.values())), id)
 
 
 def _gradescope(source: Source, items: Sequence[Item]) -> Iterator[Place]:
@@ -186,7 +220,7 @@ def _gradescope(source: Source, items: Sequence[Item]) -> Iterator[Place]:
     for item in items:
         if item.is_folder:
             for who in known.get(item.name, []) or [Submitter(item.name, "", "")]:
-                key = f"{item.name}/{who.id or who.email or who.name}"
+                key = gradescope_key(who.id, who.email, f"{item.name}/{who.name}")
                 yield Place(key, who.name, (Member(item.name),), who.id, who.email)
 
 
@@ -194,4 +228,5 @@ def _github(items: Sequence[Item], prefix: str) -> Iterator[Place]:
     for item in items:
         if item.is_folder:
             login = item.name.removeprefix(prefix)
-            yield Place(item.name, login, (Member(item.name),), login)
+            key = key_of("GitHub Classroom", item.name)
+            yield Place(key, login, (Member(item.name),), login)

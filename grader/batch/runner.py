@@ -10,7 +10,7 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Protocol
 
-from grader.batch.files import Results
+from grader.batch.files import Results, is_written
 from grader.batch.job import Job
 from grader.batch.layouts import Arrangement, Place
 from grader.batch.offices import Staff, staff
@@ -90,7 +90,8 @@ class Batch:
         student, source = _read(place, class_, self._source_limit())
         if known is not None:
             if student.fault and (known.sha256 or known.reason):
-                # It was read by an earlier run, and is gone now: what we have still counts.
+                # It was read by an earlier run: what we have is graded, and a person is told.
+                self._trouble(f"{student.name}: {student.fault}; the earlier file still counts")
                 return
             student = replace(student, slug=known.slug, written=known.written)
             if student == known:
@@ -198,7 +199,9 @@ class Batch:
     def write(self) -> Totals:
         """Write the folders that do not hold what the store knows, and the table."""
         self.store.forgive(self.job.settings)
-        self._write(self.store.unwritten(self.job.settings))
+        folder, settings = self.job.folder, self.job.settings
+        students = self.store.students()
+        self._write(one for one in students if not is_written(one, folder, settings))
         return self.tabulate()
 
     def tabulate(self) -> Totals:

@@ -86,6 +86,11 @@ class Store:
             marks = ", ".join("?" * len(values))
             self._base.execute(f"INSERT OR REPLACE INTO student VALUES ({marks})", values)  # noqa: S608 - question marks only
 
+    def drop(self, student: Student) -> None:
+        """Let somebody be no part of the class any more; files and results stay."""
+        with self.changes():
+            self._base.execute("DELETE FROM student WHERE key = ?", (_packed(student.key),))
+
     def source(self, sha256: str) -> bytes:
         """The bytes of a submission.
 
@@ -123,10 +128,6 @@ class Store:
         """Everybody who handed in these bytes."""
         yield from self._students("sha256 = ?", sha256)
 
-    def unwritten(self, settings: Settings) -> Iterator[Student]:
-        """Those whose folder does not hold the result of these settings."""
-        yield from self._students("written != ?", settings.digest)
-
     def forgive(self, settings: Settings) -> None:
         """Drop what went wrong before with files that are graded now."""
         with self.changes():
@@ -151,16 +152,21 @@ class Store:
     def forget_withheld(self, settings: Settings) -> None:
         """Drop the results whose score was withheld, so that these files are graded again.
 
-        Nothing of a student's is lost: such a result says that the grader failed.
+        Nothing of a student's is lost: such a result says that the grader failed. A folder that
+        holds one holds nothing of these settings any more, whenever this process ends.
         """
         withheld = (
-            "settings = ? AND sha256 IN (SELECT sha256 FROM result WHERE settings = ? "
+            "= ? AND sha256 IN (SELECT sha256 FROM result WHERE settings = ? "
             "AND json_extract(text, '$.score') IS NULL)"
         )
-        chosen = (settings.digest, settings.digest)
+        changes = (
+            f"UPDATE student SET written = '' WHERE written {withheld}",  # noqa: S608 - our own words
+            f"DELETE FROM attachment WHERE settings {withheld}",  # noqa: S608 - our own words
+            f"DELETE FROM result WHERE settings {withheld}",  # noqa: S608 - our own words
+        )
         with self.changes():
-            for table in ("attachment", "result"):
-                self._base.execute(f"DELETE FROM {table} WHERE {withheld}", chosen)  # noqa: S608 - our own words
+            for change in changes:
+                self._base.execute(change, (settings.digest, settings.digest))
 
     def result(self, sha256: str, settings: Settings) -> Result | None:
         """The result of these bytes, if they were graded."""

@@ -49,7 +49,7 @@ if TYPE_CHECKING:
     "--jobs",
     type=click.IntRange(1, 256),
     metavar="N",
-    help="Submissions at a time (default: as many as keep all busy).",
+    help="Submissions at a time (default: enough).",
 )
 @click.option(
     "--scheduler",
@@ -58,6 +58,9 @@ if TYPE_CHECKING:
 )
 @click.option("--regrade", is_flag=True, help="Show who in DIR would change and why.")
 @click.option("--apply", is_flag=True, help="With --regrade: make it the class's results.")
+@click.option(
+    "--drop", metavar="NAME", help="Take a student, by the folder's name, out of DIR."
+)
 @seed_option
 @rubric_option
 @time_option
@@ -74,12 +77,15 @@ def batch(folder_or_zip: Path | None, output: Path, **given: Any) -> None:  # no
     from grader.batch.job import Job
     from grader.batch.settings import Wish, settled
 
+    drop: str | None = given["drop"]
+    if drop is not None and (folder_or_zip or given["regrade"] or given["apply"]):
+        raise UsageError("--drop only takes a student out of DIR; grade before it or after it")
     if given["regrade"] and folder_or_zip is not None:
         raise UsageError(
             f"--regrade grades what {output} holds, and nothing of {folder_or_zip}; leave that "
             "out, or grade it into another folder"
         )
-    if not given["regrade"] and (folder_or_zip is None or given["apply"]):
+    if not given["regrade"] and drop is None and (folder_or_zip is None or given["apply"]):
         raise UsageError("name the folder or zip of a class; --apply goes with --regrade")
     wish = Wish(
         given["seed"], given["rubric"], given["time_limit"], not given["unsafe_no_isolation"]
@@ -90,6 +96,8 @@ def batch(folder_or_zip: Path | None, output: Path, **given: Any) -> None:  # no
         job = Job(
             folder, settled(wish), wish, given["jobs"], language, scheduler=given["scheduler"]
         )
+        if drop is not None:
+            raise Exit(dropped(job, drop.removeprefix(f"{STUDENTS}/")))
         if folder_or_zip is None:
             raise Exit(regraded(replace(job, preview=True), given["apply"]))
         raise Exit(graded(folder_or_zip, job))
@@ -144,7 +152,9 @@ def regraded(job: "Job", apply: bool) -> int:
         before = store.current()
         if before is None:
             raise UsageError(f"{job.folder} holds no results yet; grade a class first")
-        say("; ".join(before.changes(job.settings)) or "the same settings as before")
+        if before == job.settings:
+            return finished(job, store, apply)
+        say("; ".join(before.changes(job.settings)))
         store.know(job.settings)
         with shown_class() as watch:
             batch = Batch(job, store, watch)
@@ -163,6 +173,52 @@ def regraded(job: "Job", apply: bool) -> int:
         store.make_current(job.settings)
         batch.job = replace(job, preview=False)
         return told(job, batch.write(), batch.troubles)
+
+
+def finished(job: "Job", store: "Store", apply: bool) -> int:
+    """Write what an earlier call with `--apply` did not come to; the exit status.
+
+    Raises:
+        UsageError: Nothing was asked for: these are the settings of the class.
+    """
+    from grader.batch.runner import Batch
+
+    if not apply:
+        raise UsageError(
+            f"{job.folder} holds results of these very settings; name what is new, or grade "
+            "the download again if something is withheld"
+        )
+    with shown_class() as watch:
+        batch = Batch(replace(job, preview=False), store, watch)
+        return told(job, batch.write(), batch.troubles)
+
+
+def dropped(job: "Job", name: str) -> int:
+    """Take a student out of a class; the exit status.
+
+    Raises:
+        UsageError: Nobody has such a folder, or the settings are not those of the class.
+        OutputFault: Something cannot be removed.
+    """
+    from grader.batch.files import remove_folder
+    from grader.batch.runner import Batch
+    from grader.batch.store import opened_store
+
+    with opened_store(job.folder) as store:
+        student = next((one for one in store.students() if one.slug == name), None)
+        if student is None:
+            raise UsageError(
+                f"{job.folder}: no student's folder is called {as_name(name)}; class.csv there "
+                "lists all of them"
+            )
+        require_same(store, job)
+        # The folder first: whatever ends this in between, the store still knows whose it was.
+        remove_folder(job, student)
+        store.drop(student)
+        say(f"{student.name}: taken out of the class")
+        with shown_class() as watch:
+            batch = Batch(job, store, watch)
+            return told(job, batch.tabulate(), batch.troubles)
 
 
 def tell_changes(found: "Iterable[tuple[Student, Change | None]]") -> None:

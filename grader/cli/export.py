@@ -63,6 +63,7 @@ def exported(host: str, folder: Path, sheet: Path | None, given: Mapping[str, An
     Raises:
         UsageError: The results or the teacher's file cannot be used.
     """
+    from grader.batch.unfinished import unfinished
     from grader.gradebook.columns import Asked
     from grader.gradebook.fill import filled
     from grader.gradebook.results import results_in
@@ -71,8 +72,13 @@ def exported(host: str, folder: Path, sheet: Path | None, given: Mapping[str, An
 
     language = given["language"] or usual_language()
     words = translator(language)
+    waiting = unfinished(folder)
     results = [
-        replace(each, result=in_language(each.result, language)) for each in results_in(folder)
+        *(
+            replace(each, result=in_language(each.result, language))
+            for each in results_in(folder, {one.student for one in waiting})
+        ),
+        *waiting,
     ]
     asked = Asked(given["grade_column"], given["feedback_column"], given["id_column"])
     if sheet is None:

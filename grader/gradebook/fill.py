@@ -57,7 +57,8 @@ def filled(
     comma = writes_commas(table, columns)
     problems = list(found.problems)
     for place, marked in found.pairs:
-        same_maximum(lines, place, columns, marked)
+        if not marked.why:
+            same_maximum(lines, place, columns, marked)
         if reason := untouched(lines[place], columns, marked):
             problems.append(f"{marked.student}: row {place + 1} is left as it was: {reason}")
             continue
@@ -121,6 +122,8 @@ def number_in(text: str) -> float | None:
 
 def untouched(line: Line, columns: Columns, marked: Marked) -> str:
     """Say why a row has to stay as it is; empty if it has not."""
+    if marked.why:
+        return marked.why
     if marked.result["score"] is None:
         return "the score is withheld, since the grader itself failed"
     changeable = "" if columns.changeable is None else line.value(columns.changeable)

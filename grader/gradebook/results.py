@@ -10,7 +10,7 @@ import math
 import os
 import re
 import stat
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -69,10 +69,16 @@ class Marked:
 
     ids: Ids
     result: Json
+    why: str = ""
+    """Why there is no result to count, whatever lies in the folder; empty if there is one."""
 
 
-def results_in(folder: Path) -> list[Marked]:
+def results_in(folder: Path, apart: Collection[str] = ()) -> list[Marked]:
     """Read every result that `result_paths` finds.
+
+    Args:
+        folder: Where they lie.
+        apart: Names of folders in a class's own one whose results do not count.
 
     Raises:
         UsageError: There is none, or one is damaged.
@@ -80,6 +86,8 @@ def results_in(folder: Path) -> list[Marked]:
     found: list[Marked] = []
     for path in result_paths(folder):
         name = _owner(path.resolve()).name
+        if path.parents[1] == folder / STUDENTS and name in apart:
+            continue
         known = _known_by_batch(path, folder)
         found.append(Marked(name, known or ids_of(name), read_result(path)))
     return found
@@ -94,7 +102,11 @@ def _known_by_batch(path: Path, folder: Path) -> Ids | None:
         return None
     known = read_json(path.with_name(STUDENT), LARGEST_NAMES, 1)
     keys = ("name", "id", "email", "layout")
-    name, id, email, layout = (str(known.get(each, "")) for each in keys)
+    return ids_by_batch(*(str(known.get(each, "")) for each in keys))
+
+
+def ids_by_batch(name: str, id: str, email: str, layout: str) -> Ids:
+    """Say who it is, as `bvhgrade batch` knows it from a download."""
     # Moodle's and Canvas's own numbers are no accounts: somebody else's ID number may be equal.
     accounts = {"Moodle": (), "Canvas": (), "Gradescope": (id, email)}.get(layout, (name,))
     return Ids(

@@ -39,7 +39,9 @@ def made(host: str, given: Sequence[Marked], words: Words) -> Filled:
     times = Counter(account(marked.ids) for marked in given)
     twice = sorted(name for name, count in times.items() if count > 1)
     problems = [f"{name}: several results, none is taken" for name in twice]
-    single = [marked for marked in given if account(marked.ids) not in twice]
+    alone = [marked for marked in given if account(marked.ids) not in twice]
+    problems += [f"{marked.student}: left out, {marked.why}" for marked in alone if marked.why]
+    single = [marked for marked in alone if not marked.why]
     if host == "csv":
         lines = plain(single, words)
     else:

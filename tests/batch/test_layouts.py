@@ -289,3 +289,56 @@ def test_a_lone_file_is_taken_as_it_was_handed_in(tmp_path: Path) -> None:
     assert isinstance(ada, Submission)
     assert isinstance(ben, Rejected)
     assert "mine.cpp" in ben.reason
+
+
+@pytest.mark.parametrize(
+    ("name", "folder", "student"),
+    [
+        ("class", f"Eve Adams_99{FLAT}", "Eve Adams"),
+        ("class", "submission_99", "submission_99"),
+        ("bvh-submissions", "bvh-eve", "eve"),
+    ],
+)
+def test_the_only_student_s_folder_is_not_entered(
+    made: Made, tmp_path: Path, name: str, folder: str, student: str
+) -> None:
+    """A platform made it; what is in it Eve named after Ada."""
+    path = made(tmp_path, name, {f"{folder}/Ada Lovelace_101{FLAT}x.cpp": "eve"})
+    assert found_in(path)[1].keys() == {student}
+
+
+def test_a_lone_folder_with_the_file_in_it_is_a_student(made: Made, tmp_path: Path) -> None:
+    """Whatever else lies beside it; two students would be two folders or files."""
+    files: Files = {"ada/exercise03.cpp": CODE, "ada/helper.cpp": "h"}
+    assert found_in(made(tmp_path, "class", files))[1] == {"ada": ("", "", CODE)}
+    files = {"ada/exercise03.cpp": CODE, f"ada/Ben_9{FLAT}x.cpp": "h"}
+    assert found_in(made(tmp_path, "other", files))[1] == {"ada": ("", "", CODE)}
+
+
+TYPED: Files = {
+    "berg_9002_text.html": "<p>my code</p>",
+    "clocy_LATE_9003_link.html": "https://example.org",
+    "anon_Xy12z_text.html": "a",
+    "LATE_anon_Q1w2e_link.html": "b",
+    "gradebook.csv": "nobody's",
+}
+
+
+def test_what_was_typed_into_canvas_is_one_student_s(made: Made, tmp_path: Path) -> None:
+    """Canvas writes it into a file of its own, which cannot be graded; the others can."""
+    files = {"lovelaceada_9001_70001_exercise03.cpp": CODE, **TYPED}
+    files["adamseve_9004_70004_x_9001_text.html"] = "eve"
+    path = made(tmp_path, "submissions", files)
+    layout, found = found_in(path)
+    assert layout == "Canvas"
+    assert found.pop("lovelaceada") == ("9001", "", CODE)
+    assert {name: id for name, (id, _, _) in found.items()} == {
+        "berg": "9002",
+        "clocy": "9003",
+        "anon_Xy12z": "Xy12z",
+        "anon_Q1w2e": "Q1w2e",
+        "adamseve": "9004",
+    }
+    assert all("hand in exercise03.cpp" in reason for _, _, reason in found.values())
+    with class_of(path) as class_:
+        assert class_.others == ("gradebook.csv",)

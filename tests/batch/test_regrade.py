@@ -172,6 +172,23 @@ def test_a_file_that_was_never_read_keeps_all_as_it_is(
     assert "ada: not graded anew, since its file was never read" in (capsys.readouterr().out)
 
 
+def test_the_settings_of_the_class_are_no_news(tmp_path: Path, log: Path) -> None:
+    """Nothing is deleted; with `--apply` only what an earlier call did not write is written."""
+    out = tmp_path / "out"
+    grade(folder_of(tmp_path, "class", {"ada.cpp": "withheld once", "bob.cpp": CODE}), job(out))
+    begun_before = begun(log)
+    same = replace(job(out), preview=True)
+    with pytest.raises(UsageError, match="these very settings"):
+        regraded(same, apply=False)
+    (out / "students/bob/result.json").unlink()
+    assert regraded(same, apply=True) == 3
+    assert points(out) == {"ada": None, "bob": 50}
+    assert begun(log) == begun_before
+    with opened_store(out) as store:
+        ada, _ = store.students()
+        assert store.result(ada.sha256 or "", SETTINGS) is not None
+
+
 def test_a_fault_of_the_cluster_says_what_is_kept(
     new: Job, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -188,6 +205,9 @@ def test_a_download_has_no_place_in_a_regrade(tmp_path: Path) -> None:
     ended = call("batch", str(tmp_path), "-o", str(tmp_path / "out"), "--regrade")
     assert ended.exit_code == 2
     assert "--regrade grades what" in ended.output
+    ended = call("batch", str(tmp_path), "-o", str(tmp_path / "out"), "--drop", "ada")
+    assert ended.exit_code == 2
+    assert "--drop only takes a student out" in ended.output
 
 
 def anew(folder: Path) -> Job:

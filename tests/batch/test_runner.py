@@ -2,12 +2,16 @@
 
 import csv
 import os
+import shutil
 import sqlite3
+from errno import EACCES
 from pathlib import Path
 
 import pytest
 
+from grader.batch.runner import Batch
 from grader.batch.store import Store, opened_store
+from grader.cli.batch import dropped
 from grader.errors import OutputFault, UsageError
 from grader.intake.handed_in import handed_in
 from grader.kept import Result
@@ -126,7 +130,7 @@ def test_what_we_failed_at_is_tried_by_the_next_run(tmp_path: Path, log: Path) -
 
 
 def test_a_deleted_file_stops_nobody(tmp_path: Path, log: Path) -> None:
-    """Gone before it was read: withheld. Gone afterwards: the result stays."""
+    """Gone after it was graded: the result stays. A pipe in its place is the student's own."""
     path = folder_of(tmp_path, "class", {"ada.cpp": CODE, "bob.cpp": "b"})
     out = job(tmp_path / "out")
     grade(path, out)
@@ -134,9 +138,32 @@ def test_a_deleted_file_stops_nobody(tmp_path: Path, log: Path) -> None:
     (path / "bob.cpp").unlink()
     os.mkfifo(path / "bob.cpp")
     folder_of(tmp_path, "class", {"cy.cpp": "c"})
-    totals, _ = grade(path, out)
-    assert totals.graded == 3
-    assert points(tmp_path / "out")["ada"] == 50
+    totals, seen = grade(path, out)
+    assert (totals.graded, totals.withheld) == (3, 0)
+    assert points(tmp_path / "out") == {"ada": 50, "bob": 0, "cy": 50}
+    assert "a pipe" in str(results(tmp_path / "out")["bob"]["build"])
+    assert not seen.troubles
+
+
+def test_a_newer_file_that_cannot_be_read_is_told(
+    tmp_path: Path, log: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What was graded before still counts, and somebody has to know that it does."""
+    path = folder_of(tmp_path, "class", {"ada.cpp": "wrong", "bob.cpp": CODE})
+    out = job(tmp_path / "out")
+    grade(path, out)
+    before = points(tmp_path / "out")
+    monkeypatch.setattr("grader.batch.runner.handed_in", unreadable)
+    totals, seen = grade(path, out)
+    assert totals.graded == 2
+    assert points(tmp_path / "out") == before
+    told = "it could not be read: Permission denied; the earlier file still counts"
+    assert seen.troubles == [f"ada: {told}", f"bob: {told}"]
+
+
+def unreadable(student: str, entries: object, limit: int) -> object:
+    """Be a disk that somebody else's file lies on."""
+    raise PermissionError(EACCES, "Permission denied")
 
 
 def test_a_file_that_vanishes_is_withheld(
@@ -193,6 +220,40 @@ def test_a_folder_that_cannot_be_written_is_written_later(tmp_path: Path, log: P
     assert sorted(begun(log)) == ["b", CODE.strip()]
 
 
+def test_an_end_between_a_result_and_its_folder_costs_nothing(
+    tmp_path: Path, log: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What was withheld is graded at last, and the process is killed before it is written."""
+    path = folder_of(tmp_path, "class", {"ada.cpp": "withheld once"})
+    grade(path, job(tmp_path / "out"))
+
+    def killed(self: Batch, students: object) -> None:
+        raise KeyboardInterrupt
+
+    with monkeypatch.context() as patch:
+        patch.setattr(Batch, "_write", killed)
+        with pytest.raises(KeyboardInterrupt):
+            grade(path, job(tmp_path / "out"))
+    assert points(tmp_path / "out") == {"ada": None}
+    grade(path, job(tmp_path / "out"))
+    assert points(tmp_path / "out") == {"ada": 50}
+    assert len(begun(log)) == 2
+
+
+def test_folders_that_are_gone_are_written_again(tmp_path: Path, log: Path) -> None:
+    """`batch.sqlite` is what to back up: all the rest comes from it, without grading."""
+    path = folder_of(tmp_path, "class", {"ada.cpp": CODE, "bob.cpp": " ", "cy.cpp": "c"})
+    grade(path, job(tmp_path / "out"))
+    (tmp_path / "out/students/cy/student.json").unlink()
+    shutil.rmtree(tmp_path / "out/students/ada")
+    shutil.rmtree(tmp_path / "out/students/bob")
+    _, seen = grade(path, job(tmp_path / "out"))
+    assert points(tmp_path / "out") == {"ada": 50, "bob": 0, "cy": 50}
+    assert (tmp_path / "out/students/cy/student.json").exists()
+    assert len(begun(log)) == 2
+    assert not seen.troubles
+
+
 def test_an_archive_that_breaks_its_reader_stops_nobody(
     tmp_path: Path, log: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -234,3 +295,17 @@ def test_a_file_that_is_no_store_is_left_alone(tmp_path: Path) -> None:
     (tmp_path / "batch.sqlite").write_bytes(b"this is no data base at all" * 100)
     with pytest.raises(UsageError, match="no store of results"), opened_store(tmp_path):
         pass
+
+
+def test_a_student_can_be_taken_out(
+    tmp_path: Path, log: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """By the name of the folder, which the table tells; the others stay as they are."""
+    out = job(tmp_path / "out")
+    grade(folder_of(tmp_path, "class", {"ada.cpp": CODE, "bob.cpp": "b"}), out)
+    with pytest.raises(UsageError, match="no student's folder is called eve"):
+        dropped(out, "eve")
+    assert dropped(out, "ada") == 0
+    assert "ada: taken out of the class\n1 graded" in capsys.readouterr().out
+    assert points(tmp_path / "out") == {"bob": 50}
+    assert "ada" not in (tmp_path / "out/class.csv").read_text()
