@@ -33,15 +33,17 @@ def _made(given: Content) -> Trial:
     if given.kind == "construct":
         return ConstructTrial(name, mesh, given.sanitized, given.full_levels)
     if given.kind == "rebuild":
-        return RebuildTrial(name, mesh, given.meshes[1])
+        return RebuildTrial(name, mesh, given.meshes[1], given.sanitized)
     rays, tree = given.rays, given.trees[0]
     if given.kind == "work":
         return WorkTrial(name, mesh, tree, rays, *plain_costs(tree, rays), given.special)
     found = _answers(mesh, rays)
     if given.kind == "repeat":
         other, other_tree = given.meshes[1], given.trees[1]
-        theirs = _answers(other, rays)
-        return RepeatTrial(name, mesh, tree, other, other_tree, rays, found, theirs)
+        both = (found, _answers(other, rays))
+        return RepeatTrial(
+            name, mesh, tree, other, other_tree, rays, *both, sanitized=given.sanitized
+        )
     return _traced(given, mesh, tree, found)
 
 
