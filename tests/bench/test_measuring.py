@@ -48,7 +48,7 @@ GUARDED = {"check": ("textbook", 0.57), "fast": ("clear", 1.02)}
 """What is held against what, and the ratio of their seconds in docs/performance.md."""
 
 WORSE = 3.0
-"""So many times the ratio is no noise: with twenty programs on two cores it changed by a half."""
+"""So many times the ratio is no noise: beside twenty programs it changed by a half."""
 
 
 def test_what_is_timed_did_not_become_a_multiple(libraries: Libraries) -> None:

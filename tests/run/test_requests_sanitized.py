@@ -2,6 +2,7 @@
 
 from grader.model.cases import MemoryCase
 from grader.model.stages import Stop
+from grader.model.trials import RebuildTrial, RepeatTrial
 from grader.run.requests import request
 from grader.run.session import Engine, run_job
 from grader.verify.planned import kinds_of
@@ -12,7 +13,7 @@ from tests.verify.trials import rebuilds, repeats
 
 def test_sanitized_workers_are_looked_at_when_they_end(reference: Engine) -> None:
     """What they deliver is not compared: one job, and no case but its end."""
-    of_two = (*rebuilds(soup(1)), *repeats(soup(37)))
+    of_two: tuple[RebuildTrial | RepeatTrial, ...] = (*rebuilds(soup(1)), *repeats(soup(37)))
     for trial in (each for each in of_two if each.sanitized):
         asked = request(trial)
         (job,) = asked.jobs
