@@ -13,7 +13,7 @@ from grader.bench import compiling, scale, solutions
 from grader.bench.boxes import Timer
 from grader.bench.libraries import Libraries, build_libraries
 from grader.bench.record import Reading
-from grader.bench.statistics import interleaved, ratios
+from grader.bench.statistics import Run, interleaved, ratios
 from grader.oracle.generated import landscape
 from grader.sandbox.nursery import Nursery
 from grader.sandbox.scratch import scratch_folder
@@ -57,7 +57,7 @@ def test_what_is_timed_did_not_become_a_multiple(libraries: Libraries) -> None:
     with Nursery() as nursery:
         timer = Timer(nursery, mesh)
         tree = timer.tree(libraries.clear)
-        runs = {
+        runs: dict[str, Run] = {
             "check": lambda: solutions.check_cost(mesh, tree),
             **{
                 name: partial(timer.construct, getattr(libraries, name))
