@@ -67,8 +67,14 @@ def _without_example(grade: Grade, check: str) -> Grade:
     return replace(grade, checks=tuple(checks))
 
 
-def write_result(folder: Path, result: Result, language: str) -> Path:
+def write_result(folder: Path, result: Result, language: str, hints: bool = True) -> Path:
     """Write a result, its attachments and its page, without those of an earlier result.
+
+    Args:
+        folder: Where.
+        result: What is kept of a grade.
+        language: Of the page.
+        hints: Whether the page tells causes and hints; the result always has the cause.
 
     Returns:
         Where the page lies.
@@ -94,10 +100,12 @@ def write_result(folder: Path, result: Result, language: str) -> Path:
         write_whole(folder / name, text)
     write_whole(folder / RESULT, result.text)
     views = json.loads(attached[VIEWS]) if VIEWS in attached else None
-    return write_page(folder, told, views, language)
+    return write_page(folder, told, views, language, hints)
 
 
-def write_page(folder: Path, result: Json, views: Json | None, language: str) -> Path:
+def write_page(
+    folder: Path, result: Json, views: Json | None, language: str, hints: bool = True
+) -> Path:
     """Write the page of a result, and say where it lies.
 
     Raises:
@@ -106,5 +114,5 @@ def write_page(folder: Path, result: Json, views: Json | None, language: str) ->
     from grader.report.html.submission import to_html
 
     path = folder / PAGE
-    write_whole(path, to_html(result, views, language))
+    write_whole(path, to_html(result, views, language, hints))
     return path

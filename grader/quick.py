@@ -1,4 +1,4 @@
-"""What does a student run first? The checks that find most mistakes, where they cost least.
+"""What does a student run often? The checks that find most mistakes, where they cost least.
 
 The order of the first ten is that of `tests/submissions/kill-matrix.csv`: each check stands
 before those that find fewer mistakes which none before it has found. On small meshes these ten
@@ -42,7 +42,7 @@ LARGEST_FACES = 20_000
 
 
 def quick_checks(offered: Sequence[str]) -> tuple[str, ...]:
-    """Return the checks to run first, those that a rubric does not have left out.
+    """Return the checks of a quick run, those that a rubric does not have left out.
 
     Args:
         offered: Ids of the checks that may be run.

@@ -9,6 +9,7 @@ from grader.counterexample.describe import described
 from grader.counterexample.probe import Effort, Probe, TooLate, decided, steady
 from grader.counterexample.reading import read
 from grader.counterexample.revived import trial_of
+from grader.counterexample.search import model_passes
 from grader.errors import GraderError, UsageError
 from grader.model.cases import MemoryCase, SurvivalCase
 from grader.model.counterexample import Replay
@@ -25,6 +26,8 @@ from grader.verify.planned import kinds_of
 
 PATIENCE = 30.0
 """Wall seconds, and CPU seconds, that showing one counterexample may take."""
+
+CHANGED = "the model solution fails on this input, too: the file was changed"
 
 
 def replay(path: Path, file: Path, options: Options) -> Replay:
@@ -50,12 +53,15 @@ def replay(path: Path, file: Path, options: Options) -> Replay:
             try:
                 return _judged(check, probe, trial)
             except TooLate:
+                # A sleep and a machine that is too busy look alike here.
                 late = f"it did not come back within {PATIENCE:g} s"
-                return Replay(check.id, check.title, None, late)
+                return Replay(check.id, check.title, None, late, is_ours=True)
 
 
 def _judged(check: Check, probe: Probe, trial: Trial) -> Replay:
     """Decide the check on what the trial delivers; only what was decided can be a pass.
+
+    Whatever speaks against a submission is told only if the model solution passes.
 
     Raises:
         TooLate: The clock ended it.
@@ -64,15 +70,20 @@ def _judged(check: Check, probe: Probe, trial: Trial) -> Replay:
     cases = probe.cases(trial)
     findings = [one for case in cases if (one := decided(check, steady(case)))]
     first = {one.verdict: one for one in reversed(findings)}
-    if failed := first.get(Verdict.FAIL):
-        found = described(probe, Solution(), trial, trial.name, failed.evidence)
-        return Replay(check.id, check.title, found)
-    if broken := first.get(Verdict.BROKEN):
+    failed = first.get(Verdict.FAIL)
+    if not failed and (broken := first.get(Verdict.BROKEN)):
         last = broken.reason.strip().rpartition("\n")[2]
         message = f"{check.id} itself failed on this input: {last}"
         raise GraderError(message)
-    if Verdict.PASS in first:
+    if not failed and Verdict.PASS in first:
         return Replay(check.id, check.title, None)
+    solution = Solution()
+    if not model_passes(check, solution, trial):
+        # Anybody may have edited the tree or the mesh in the file.
+        return Replay(check.id, check.title, None, CHANGED, is_ours=True)
+    if failed:
+        found = described(probe, solution, trial, trial.name, failed.evidence)
+        return Replay(check.id, check.title, found)
     if blocked := first.get(Verdict.BLOCKED):
         why = f"it cannot be decided, because {blocked.reason} fails on this input"
         return Replay(check.id, check.title, None, why)

@@ -28,7 +28,7 @@ from grader.sandbox.streams import DROPPED
 from grader.score.points import final_score, score_checks, score_parts
 from grader.selection import Selection
 from grader.tolerances import FACES_PER_LEAF
-from grader.verify.engine import NOTHING, Examiner
+from grader.verify.engine import NOTHING, Examiner, looks_at
 from grader.verify.planned import kinds_of, planned_cases
 from grader.verify.tree import shape
 from grader.verify.work import excludes_most_triangles, unproven
@@ -166,10 +166,21 @@ class Summary:
             timing=self.timing(build),
         )
 
-    def _causes(self, scores: Iterable[CheckScore]) -> dict[str, Cause]:
-        """Look for likely causes, which move no point."""
-        failed = [one.check for one in scores if one.verdict is Verdict.FAIL]
-        return likely_causes(self._notes, failed) if failed else {}
+    def _causes(self, scores: Sequence[CheckScore]) -> dict[str, Cause]:
+        """Look for likely causes, which move no point.
+
+        Whoever may see some checks only must not learn from a cause what the others look at.
+        """
+        failed = {one.check for one in scores if one.verdict is Verdict.FAIL}
+        causes = likely_causes(self._notes, failed) if failed else {}
+        secret = {one.check for one in scores if one.visibility != "visible"}
+        if not secret:
+            return causes
+        known = {one.check for one in scores} - secret
+        shown = [each for each in self._selection.checks if each.id in known]
+        notes = self._notes.only(lambda case: any(looks_at(each, case) for each in shown))
+        told = likely_causes(notes, failed & known)
+        return {check: cause for check, cause in causes.items() if check in secret} | told
 
     def _started(self) -> set[str]:
         """Tell which parts no longer do what the given code does.

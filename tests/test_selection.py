@@ -61,7 +61,11 @@ def test_a_student_s_run_leaves_out_what_is_hidden(tmp_path: Path, how: str) -> 
 
 def test_trials_of_hidden_checks_are_not_run(tmp_path: Path) -> None:
     """No input that only a hidden check looks at reaches a student's machine code."""
-    of_rebuild = ("bvh.rebuild-starts-afresh", "bvh.survives-every-mesh")
+    of_rebuild = (
+        "bvh.rebuild-starts-afresh",
+        "bvh.survives-every-mesh",
+        "bvh.memory-is-safe",
+    )
     student = select(hiding(tmp_path, *of_rebuild), (), for_student=True)
     kinds = {type(trial).__name__ for trial in student.useful(every_trial())}
     assert kinds == {

@@ -6,7 +6,7 @@ from pathlib import Path
 from grader.bench.chart import chart_of
 from grader.bench.drawing import png_of, svg_of
 from grader.bench.floor import FLOOR
-from grader.bench.reasons import REASONS
+from grader.bench.reasons import FOUND, REASONS
 from grader.bench.record import Reading, Table
 from grader.bench.scale import RAYS
 from grader.bench.shown import STATES, bound_of, ratio_of
@@ -20,8 +20,8 @@ _HEAD = """# How fast the grader is
 `bvhgrade bench --write docs` measured and wrote this. A goal is a ratio of two things that
 took turns in one run, with the smallest and the largest of its rounds; but 5b is measured
 after what it is compared with, and for 8 and 8b a small and then a large class are graded,
-once each. In 3 and 3b ours is `bvhgrade check --only build.compiles`, as pytest and check50
-do no more there.
+once each, of files that do not compile: only what a class costs besides is timed. In 3 and
+3b ours is `bvhgrade check --only build.compiles`, as pytest and check50 do no more there.
 
 CPU seconds are those of all processes; only in 1b and 1d the grade's workers count with their
 time on the clock, which is a little more, since the kernel forgets what a killed process
@@ -71,7 +71,7 @@ def _goals(table: Table) -> Iterator[str]:
     yield f"\n![Ratios and costs by size]({NAME}.svg)\n"
     missed = [each for each in table.readings if each.is_met is False]
     if missed:
-        yield "What is not met, and why:\n"
+        yield f"What is not met, and why, as was found by hand on {FOUND}:\n"
         yield from _reasons(missed)
         yield ""
 

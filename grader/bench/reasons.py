@@ -1,4 +1,7 @@
-"""Why is a goal not met? What was measured of the reason, by the goal's number."""
+"""Why is a goal not met? What was found of the reason by hand, by the goal's number."""
+
+FOUND = "2026-11-29"
+"""When; what is measured later may have other reasons."""
 
 _BUILDS = (
     "beside the graded library a grade compiles the file three times more: with sanitizers "

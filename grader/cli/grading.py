@@ -1,8 +1,6 @@
 """The commands that grade: `check` for a student's own file, `grade` for somebody else's."""
 
-import shlex
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
@@ -21,12 +19,13 @@ from grader.cli.options import (
     time_option,
     unsafe_option,
 )
+from grader.cli.order import Order, call_of, is_whole, ordered, repetition
 from grader.cli.output import patient_stdout
 from grader.cli.progress import shown, shown_progress
 from grader.cli.replaying import replayed, require_alone
 from grader.cli.status import FULL_MARKS, LOST_POINTS, OUR_FAULT
 from grader.errors import UsageError
-from grader.language import translator, usual_language
+from grader.language import translator
 from grader.model.grade import Grade
 from grader.model.verdict import Verdict
 from grader.output import ready
@@ -37,33 +36,6 @@ if TYPE_CHECKING:
 
 OUTPUT = "bvhgrade-out"
 USUAL_PLACES = ("src/exercise03.cpp", "student_stub/src/exercise03.cpp")
-
-
-@dataclass(frozen=True, slots=True)
-class Order:
-    """What is to be graded, and how."""
-
-    path: Path
-    seed: int
-    rubric: Path | None
-    only: tuple[str, ...]
-    """Ids of the checks to run; empty for all."""
-
-    time_limit: float | None
-    """Wall seconds of the whole grade; None for the rubric's."""
-
-    isolated: bool
-    hints: int = 1
-    """How much is said beyond the facts, 0 to 3."""
-    for_student: bool = False
-    """Whether what the rubric hides is left out."""
-
-    language: str = "en"
-    views: bool = True
-    """Whether to draw what a report shows; who waits for the next save does without."""
-
-    quick: bool = False
-    """Whether only what finds most mistakes is run, and nothing is drawn or searched for."""
 
 
 @click.command()
@@ -99,13 +71,10 @@ def check(submission: Path | None, watch: bool, **given: Any) -> None:  # noqa: 
     if watch:
         watch_over(order, folder)
     result = graded(order)
-    written = stored(folder, result, order.language)
+    written = stored(folder, result, order)
     with patient_stdout():
         report(result, order, written)
-        if order.quick:
-            words = translator(order.language)
-            told = words("This was the quick run; without --quick every check is run.")
-            click.echo(f"\n{told}")
+        say_if_quick(order)
     raise Exit(status_of_check(result, order.only))
 
 
@@ -138,7 +107,7 @@ def grade(submission: Path, output: Path, quiet: bool, **given: Any) -> None:  #
     folder = ready(output, submission=submission)
     paths = ready_for(folder, given["formats"])
     result = graded(order)
-    written = stored(folder, result, order.language)
+    written = stored(folder, result, order)
     write_formats(paths, result, order.language)
     with patient_stdout():
         if quiet:
@@ -146,21 +115,6 @@ def grade(submission: Path, output: Path, quiet: bool, **given: Any) -> None:  #
         else:
             report(result, order, written)
     raise Exit(OUR_FAULT if is_withheld(result) else FULL_MARKS)
-
-
-def ordered(path: Path, given: Mapping[str, Any]) -> Order:
-    """Put together what the options say."""
-    return Order(
-        path,
-        given["seed"],
-        given["rubric"],
-        given.get("only", ()),
-        given["time_limit"],
-        not given["unsafe_no_isolation"],
-        given.get("hints", 1),
-        language=given["language"] or usual_language(),
-        quick=given.get("quick", False),
-    )
 
 
 def usual_place() -> Path:
@@ -211,12 +165,12 @@ def graded(order: Order) -> Grade:
         return grade_one(order.path, options)
 
 
-def stored(folder: Path, result: Grade, language: str) -> Path:
+def stored(folder: Path, result: Grade, order: Order) -> Path:
     """Write a result with everything that belongs to it, and say where the report lies."""
     from grader.kept import kept, write_result
 
     with shown("writing the report"):
-        return write_result(folder, kept(result), language)
+        return write_result(folder, kept(result), order.language, hints=order.hints > 0)
 
 
 def report(result: Grade, order: Order, written: Path) -> None:
@@ -250,9 +204,10 @@ def watch_over(order: Order, folder: Path) -> NoReturn:
     from grader.report.problem import print_problem
 
     def tell(result: Grade, order: Order) -> None:
-        written = stored(folder, result, order.language)
+        written = stored(folder, result, order)
         click.echo(f"\n--- {datetime.now().astimezone():%H:%M:%S} ---")
-        print_problem(Console(), result, occasion(order, written))
+        print_problem(Console(), result, occasion(order, written), is_whole(order))
+        say_if_quick(order)
 
     words = translator(order.language)
     path = line_for_terminal(str(order.path))
@@ -260,18 +215,12 @@ def watch_over(order: Order, folder: Path) -> NoReturn:
     watch(replace(order, views=False), Watch(graded, tell))
 
 
-def repetition(order: Order) -> str:
-    """Word the call that grades the same again, ready to be pasted; empty if it cannot be."""
-    return call_of("check", order, "--seed", str(order.seed))
-
-
-def call_of(name: str, order: Order, *given: str) -> str:
-    """Word the call of a command for the same submission; empty if it cannot be pasted."""
-    words = ["bvhgrade", name, str(order.path), *given]
-    if order.rubric is not None:
-        words += ["--rubric", str(order.rubric)]
-    command = shlex.join(words)
-    return command if command == line_for_terminal(command) else ""
+def say_if_quick(order: Order) -> None:
+    """Say that more can be run."""
+    if order.quick:
+        words = translator(order.language)
+        told = words("This was the quick run; without --quick every check is run.")
+        click.echo(f"\n{told}")
 
 
 def points_only(result: Grade) -> str:

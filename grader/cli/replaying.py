@@ -9,11 +9,11 @@ from click.core import ParameterSource
 from grader.cli.interrupts import interruptible
 from grader.cli.output import patient_stdout
 from grader.cli.progress import shown_progress
-from grader.cli.status import FULL_MARKS, LOST_POINTS
+from grader.cli.status import FULL_MARKS, LOST_POINTS, OUR_FAULT
 from grader.errors import UsageError
 
 if TYPE_CHECKING:
-    from grader.cli.grading import Order
+    from grader.cli.order import Order
 
 WITHOUT_REPLAY = ("only", "watch", "quick", "hints", "time_limit")
 """Options that say nothing of one input of one check."""
@@ -46,6 +46,8 @@ def replayed(order: "Order", file: Path) -> int:
         told = replay(order.path, file, options)
     with patient_stdout():
         print_replay(Console(), told, order.language)
+    if told.is_ours:
+        return OUR_FAULT
     return LOST_POINTS if told.found or told.undecided else FULL_MARKS
 
 

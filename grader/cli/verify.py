@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Any
 import click
 from click.exceptions import Exit
 
-from grader.cli.grading import graded, is_withheld, ordered
+from grader.cli.grading import graded, is_withheld
 from grader.cli.options import rubric_option, submission_type, time_option, unsafe_option
+from grader.cli.order import ordered
 from grader.cli.status import FULL_MARKS, LOST_POINTS, OUR_FAULT
 from grader.errors import UsageError
 from grader.output import STORE

@@ -23,7 +23,7 @@ from grader.report.facts import worst
 from grader.sandbox.launch import start_again, stop_everything
 
 if TYPE_CHECKING:
-    from grader.cli.grading import Order
+    from grader.cli.order import Order
 
 
 @dataclass(frozen=True, slots=True)

@@ -120,8 +120,8 @@ def cut_repeat(
     mesh, other = cut_mesh(trial.mesh, faces[0]), cut_mesh(trial.other_mesh, faces[1])
     tree, other_tree = trees([mesh, other])
     kept = chosen(trial.rays, rays)
-    return RepeatTrial(
-        name=trial.name,
+    return replace(
+        trial,
         mesh=mesh,
         tree=tree,
         other_mesh=other,

@@ -33,15 +33,17 @@ def _made(given: Content) -> Trial:
     if given.kind == "construct":
         return ConstructTrial(name, mesh, given.sanitized, given.full_levels)
     if given.kind == "rebuild":
-        return RebuildTrial(name, mesh, given.meshes[1])
+        return RebuildTrial(name, mesh, given.meshes[1], given.sanitized)
     rays, tree = given.rays, given.trees[0]
     if given.kind == "work":
         return WorkTrial(name, mesh, tree, rays, *plain_costs(tree, rays), given.special)
     found = _answers(mesh, rays)
     if given.kind == "repeat":
         other, other_tree = given.meshes[1], given.trees[1]
-        theirs = _answers(other, rays)
-        return RepeatTrial(name, mesh, tree, other, other_tree, rays, found, theirs)
+        both = (found, _answers(other, rays))
+        return RepeatTrial(
+            name, mesh, tree, other, other_tree, rays, *both, sanitized=given.sanitized
+        )
     return _traced(given, mesh, tree, found)
 
 
@@ -73,13 +75,17 @@ def _answers(mesh: Mesh, rays: Rays) -> Answers:
 
 def out_of_reach(tree: Bvh, rays: Rays, found: Answers) -> Mask:
     """Return (R,) bool, True where a plain traversal never comes to the closest sure hit."""
-    lost = np.zeros(len(rays.t_min), np.bool_)
-    reached: list[set[int]] = [set() for _ in lost]
+    nearest = np.array([closest_sure(found, ray) for ray in range(len(rays.t_min))], np.int64)
+    sure = nearest >= 0
+    place = np.empty_like(tree.order, np.int64)
+    place[tree.order] = np.arange(len(tree.order))
+    # Asked is where in the order one face stands, not for each face of each leaf: a stranger's
+    # leaves may all hold all faces.
+    wanted = np.full(len(nearest), -1)
+    wanted[sure] = place[found.face[nearest[sure]]]
+    lost: Mask = sure.copy()
     for visits in traverse(leaves_of(tree), lost.size, given_box_test(tree, rays)):
-        for ray, leaf in zip(visits.ray.tolist(), visits.leaf.tolist(), strict=True):
-            reached[ray].update(tree.order[tree.begin[leaf] : tree.end[leaf]].tolist())
-    for ray in range(lost.size):
-        nearest = closest_sure(found, ray)
-        if nearest >= 0:
-            lost[ray] = found.face[nearest] not in reached[ray]
+        at = wanted[visits.ray]
+        holds = (tree.begin[visits.leaf] <= at) & (at < tree.end[visits.leaf])
+        lost[visits.ray[holds]] = False
     return lost

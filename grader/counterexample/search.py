@@ -114,13 +114,17 @@ def _reduced(
     if faces > MOST_FACES or rays > MOST_RAYS:
         return None
     evidence = probe.proof(trial)
-    if evidence is None or not _is_right(check, solution, trial):
+    if evidence is None or not model_passes(check, solution, trial):
         return None
     return described(probe, solution, trial, start.name, evidence)
 
 
-def _is_right(check: Check, solution: Solution, trial: Trial) -> bool:
-    """Tell whether the model solution passes; it has no build with sanitizers."""
+def model_passes(check: Check, solution: Solution, trial: Trial) -> bool:
+    """Tell whether the model solution passes; it has no build with sanitizers.
+
+    Raises:
+        WorkerFault: It did not come back.
+    """
     if is_sanitized(trial):
         return True
     findings = [decided(check, steady(case)) for case in solution.cases(trial)]

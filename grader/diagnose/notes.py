@@ -1,6 +1,7 @@
 """What is kept of a run, so that a likely cause can be looked for when it is over?"""
 
 from collections import defaultdict
+from collections.abc import Callable
 from typing import TypeVar
 
 from grader.model.cases import Case, DepthCase, ImageCase, TreeCase
@@ -29,6 +30,13 @@ class Notes:
             if not few or len(case.bvh.end) > MOST_NODES:
                 return
         self._cases[type(case)].append(case)
+
+    def only(self, counts: Callable[[Case], bool]) -> "Notes":
+        """Return notes of some of the cases."""
+        some = Notes()
+        for kind, cases in self._cases.items():
+            some._cases[kind] = [case for case in cases if counts(case)]
+        return some
 
     def of(self, kind: type[CaseT]) -> list[CaseT]:
         """The cases of one kind, those of small meshes first.

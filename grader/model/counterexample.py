@@ -65,3 +65,6 @@ class Replay:
 
     undecided: str = ""
     """Why the submission could not be run, or ended before the check could tell."""
+
+    is_ours: bool = False
+    """Whether that says nothing of the submission: the clock, or a file that was changed."""

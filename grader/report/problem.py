@@ -17,13 +17,21 @@ from grader.report.terminal import (
     is_exposed,
     not_begun,
     rejected,
+    remarks,
     uncompiled,
     worst_failure,
 )
 
 
-def print_problem(console: Console, grade: Grade, occasion: Occasion) -> None:
-    """Print the score and the failure that costs most; the others are only counted."""
+def print_problem(console: Console, grade: Grade, occasion: Occasion, whole: bool) -> None:
+    """Print the score and the failure that costs most; the others are only counted.
+
+    Args:
+        console: Where.
+        grade: What came of a run.
+        occasion: How it came to be printed.
+        whole: Whether every check was run.
+    """
     sheet = Sheet(console, translator(occasion.language), teller(occasion.language))
     header(sheet, grade)
     if is_exposed(grade):
@@ -35,11 +43,12 @@ def print_problem(console: Console, grade: Grade, occasion: Occasion) -> None:
     else:
         every_fault(sheet, grade)
         worst_failure(sheet, grade, occasion)
-        what_else(sheet, grade)
+        what_else(sheet, grade, whole)
+    remarks(sheet, grade)
     sheet.show()
 
 
-def what_else(sheet: Sheet, grade: Grade) -> None:
+def what_else(sheet: Sheet, grade: Grade, whole: bool) -> None:
     """Say what comes after the failure that was explained, or that there was none."""
     idle = unstarted(grade)
     for part in idle:
@@ -55,4 +64,13 @@ def what_else(sheet: Sheet, grade: Grade) -> None:
         many = sheet.words("{others} more checks fail; that comes later.")
         sheet.say(one if others == 1 else many.format(others=others), "dim")
     elif shown is None and all(score.verdict is Verdict.PASS for score in grade.checks):
-        sheet.say(sheet.words("Everything passes."), "green")
+        sheet.say(all_pass(sheet, len(grade.checks), whole), "green")
+
+
+def all_pass(sheet: Sheet, checks: int, whole: bool) -> str:
+    """Say what passes, and no more than was run."""
+    if whole:
+        return sheet.words("Everything passes.")
+    if checks == 1:
+        return sheet.words("The check of this run passes.")
+    return sheet.words("All {checks} checks of this run pass.").format(checks=checks)

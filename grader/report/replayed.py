@@ -19,14 +19,17 @@ if TYPE_CHECKING:
 def print_replay(console: Console, told: "Replay", language: str = "en") -> None:
     """Print the check, and what is wrong if it still fails."""
     sheet = Sheet(console, translator(language), teller(language))
-    passed = told.found is None and not told.undecided
-    verdict = Verdict.PASS if passed else Verdict.FAIL
+    verdict = Verdict.FAIL if told.found else Verdict.PASS
+    if told.undecided:
+        verdict = Verdict.BLOCKED
     mark = Text.assemble((f"{sheet.glyphs.named(verdict, sheet.words)}  ", STYLES[verdict]))
     for line in sheet.wrapped(sheet.words(sheet.line(told.title)), sheet.width - mark.cell_len):
         sheet.lines.append(mark.append(line, "bold"))
         mark = Text(" " * mark.cell_len)
     if told.undecided:
         sheet.beside("", sheet.told(told.undecided))
+        if told.is_ours:
+            sheet.say(sheet.words("Nothing is concluded about the submission."), "yellow")
     elif told.found is None:
         passes = sheet.words("{check} does not fail on this input any more.")
         sheet.say(passes.format(check=told.check), "green")

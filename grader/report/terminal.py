@@ -176,10 +176,15 @@ def worst_failure(sheet: Sheet, grade: Grade, occasion: Occasion) -> None:
     explain(sheet, grade, score, occasion)
 
 
-def footer(sheet: Sheet, grade: Grade, occasion: Occasion) -> None:
-    """Say where the result lies, how the run was isolated and where the time went."""
+def remarks(sheet: Sheet, grade: Grade) -> None:
+    """Say what is worth knowing of the run and costs nothing."""
     for remark in () if grade.build is None else grade.build.remarks:
         sheet.say(sheet.words("Note: {remark}.").format(remark=sheet.line(remark)), "yellow")
+
+
+def footer(sheet: Sheet, grade: Grade, occasion: Occasion) -> None:
+    """Say where the result lies, how the run was isolated and where the time went."""
+    remarks(sheet, grade)
     if occasion.written is not None:
         where = sheet.line(str(occasion.written))
         sheet.lines.append(Text.assemble((sheet.words("report") + "  ", "dim"), where))

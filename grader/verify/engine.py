@@ -26,7 +26,7 @@ class Examiner:
         """Decide every check that looks at this kind of case, in the order of the report."""
         for case in cases:
             for each in self._checks:
-                if isinstance(case, each.kind) and each.when(getattr(case, "trial", None)):
+                if looks_at(each, case):
                     finding = self._decide(each, case)
                     if finding:
                         self._verdicts[each.id, case.name] = finding.verdict
@@ -52,6 +52,11 @@ class Examiner:
             return None
         verdict = Verdict.FAIL if evidence.wrong else Verdict.PASS
         return Finding(each.id, case.name, verdict, evidence)
+
+
+def looks_at(each: Check, case: Case) -> bool:
+    """Tell whether a check is decided on a case."""
+    return isinstance(case, each.kind) and each.when(getattr(case, "trial", None))
 
 
 def _of_nothing(each: Check, case: Case, evidence: Evidence) -> Finding | None:

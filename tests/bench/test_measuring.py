@@ -1,6 +1,10 @@
-"""A tiny bench runs from end to end. How long anything takes is nobody's test."""
+"""A tiny bench runs from end to end, and two ratios are no multiple of what they were.
+
+How many seconds anything takes is nobody's test.
+"""
 
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -9,6 +13,7 @@ from grader.bench import compiling, scale, solutions
 from grader.bench.boxes import Timer
 from grader.bench.libraries import Libraries, build_libraries
 from grader.bench.record import Reading
+from grader.bench.statistics import Run, interleaved, ratios
 from grader.oracle.generated import landscape
 from grader.sandbox.nursery import Nursery
 from grader.sandbox.scratch import scratch_folder
@@ -37,6 +42,33 @@ def test_every_solution_is_timed(libraries: Libraries, tmp_path: Path) -> None:
     readings = solutions.measured(course, libraries, tmp_path)
     assert [reading.goal.number for reading in readings] == ["2", "6d", "6", "6b", "6c", "7"]
     assert all(map(has_ratio, readings))
+
+
+GUARDED = {"check": ("textbook", 0.57), "fast": ("clear", 1.02)}
+"""What is held against what, and the ratio of their seconds in docs/performance.md."""
+
+WORSE = 3.0
+"""So many times the ratio is no noise: beside twenty programs it changed by a half."""
+
+
+def test_what_is_timed_did_not_become_a_multiple(libraries: Libraries) -> None:
+    """All checks of a tree, and the fast model solution's `construct`, in CPU seconds."""
+    mesh = landscape(250_000, 1)
+    with Nursery() as nursery:
+        timer = Timer(nursery, mesh)
+        tree = timer.tree(libraries.clear)
+        runs: dict[str, Run] = {
+            "check": lambda: solutions.check_cost(mesh, tree),
+            **{
+                name: partial(timer.construct, getattr(libraries, name))
+                for name in ("textbook", "clear", "fast")
+            },
+        }
+        costs = interleaved(runs, rounds=4)
+    cpu = {name: [each.cpu for each in found] for name, found in costs.items()}
+    for name, (other, before) in GUARDED.items():
+        ratio = ratios(cpu[name], cpu[other])
+        assert ratio is None or ratio.median < WORSE * before, (name, cpu)
 
 
 def test_all_solutions_build_the_same_tree(libraries: Libraries) -> None:

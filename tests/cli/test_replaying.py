@@ -10,6 +10,7 @@ import grader.replay
 from grader.counterexample.written import to_text
 from grader.model.counterexample import Counterexample, Replay
 from grader.options import Options
+from grader.replay import CHANGED
 from grader.report.sheet import MAX_LINES, Sheet
 from tests.cli.calls import FILE, Pipeline, call
 from tests.report import samples
@@ -71,6 +72,19 @@ def test_what_became_of_it_is_told_in_german(
     monkeypatch.setattr(grader.replay, "replay", lambda *_: told)
     result = call("check", FILE, "--replay", "file.json", "--language", "de")
     assert words in " ".join(result.output.split())
+    assert result.exit_code == bool(undecided)
+    assert ("blockiert" in result.output, "falsch" in result.output) == (bool(undecided), False)
+
+
+@pytest.mark.usefixtures("asked")
+def test_what_is_nobody_s_fault_is_told_in_german(monkeypatch: pytest.MonkeyPatch) -> None:
+    """No check mark, no cross, and the status of a run that concludes nothing."""
+    told = Replay(CHECK, "Boxes are tight", None, CHANGED, is_ours=True)
+    monkeypatch.setattr(grader.replay, "replay", lambda *_: told)
+    result = call("check", FILE, "--replay", "file.json", "--language", "de")
+    output = " ".join(result.output.split())
+    assert (result.exit_code, "auch die Musterlösung schlägt" in output) == (3, True), output
+    assert "Über die Abgabe sagt das nichts." in output
 
 
 @pytest.mark.parametrize(

@@ -13,15 +13,17 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from grader.counterexample.cutting import cut_repeat
 from grader.counterexample.probe import sizes
 from grader.counterexample.reading import LARGEST, read
 from grader.counterexample.revived import trial_of
 from grader.counterexample.written import to_text
 from grader.errors import UsageError
 from grader.model.trials import ConstructTrial, Trial
+from grader.verify.planned import kinds_of
 from tests.report.small_inputs import small
-from tests.verify.builder import soup
-from tests.verify.trials import every_trial
+from tests.verify.builder import build, soup
+from tests.verify.trials import every_trial, repeats
 
 
 def largest(trial: Trial) -> int:
@@ -55,6 +57,19 @@ def test_every_kind_of_trial_comes_back(trial: Trial, tmp_path: Path) -> None:
             one, other = getattr(mine, field.name), getattr(yours, field.name)
             assert np.asarray(one).tobytes() == np.asarray(other).tobytes(), (name, field.name)
     assert getattr(trial, "sanitized", None) == getattr(again, "sanitized", None)
+    assert kinds_of(again) == kinds_of(trial)
+
+
+def test_a_smaller_repeated_trial_runs_on_the_same_build() -> None:
+    """A memory error of the build with sanitizers stays one."""
+    for trial in repeats(soup(9)):
+        few = np.arange(2)
+        cut = cut_repeat(trial, (few, few), few, lambda meshes: [build(one) for one in meshes])
+        assert (cut.name, cut.sanitized, len(cut.mesh.faces)) == (
+            trial.name,
+            trial.sanitized,
+            2,
+        )
 
 
 def test_odd_floats_come_back(tmp_path: Path) -> None:

@@ -4,17 +4,22 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 from click.testing import CliRunner
 
 import grader.replay
 from grader.cli import cli
 from grader.counterexample.written import to_text
-from grader.model.trials import ConstructTrial
+from grader.model.mesh import Bvh
+from grader.model.trials import ConstructTrial, ImageTrial, TraceTrial, Trial
 from grader.model.verdict import Evidence
+from grader.resources import reference_source
+from grader.run.session import Engine
 from grader.run.trials import Engines
 from grader.verify import every_check
 from tests.compiled import BEGIN, INTERSECT, engine_of, library_of
+from tests.counterexample.test_search import traced
 from tests.report.small_inputs import small
 from tests.verify.builder import soup
 
@@ -38,11 +43,20 @@ void BVH::construct(const Mesh& mesh) {{
 
 CHECK = "bvh.root-holds-all-faces"
 
+CHANGED = "the model solution fails on this input, too: the file was changed"
+
 
 @pytest.fixture(scope="module")
 def engines(cache: Path, tmp_path_factory: pytest.TempPathFactory) -> Engines:
     """Give the graded build alone."""
     return Engines(engine_of(library_of(ENDS, tmp_path_factory.mktemp("ends"))))
+
+
+@pytest.fixture(scope="module")
+def reference(cache: Path, tmp_path_factory: pytest.TempPathFactory) -> Engine:
+    """Give the model solution."""
+    source = reference_source().read_text()
+    return engine_of(library_of(source, tmp_path_factory.mktemp("right")))
 
 
 @pytest.fixture
@@ -66,15 +80,24 @@ def replayed(engines: Engines, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
     ("faces", "told"),
     [
         (4, "ended by SIGABRT"),
-        (SLEEPS, "it did not come back within 3 s"),
         (2, "stopped after 1 s of computing time"),
         (1, "because bvh.is-readable fails on this input"),
     ],
 )
 def test_what_is_not_decided_is_no_pass(replayed: Replayed, faces: int, told: str) -> None:
-    """A crash, a sleep, an endless loop, an unreadable tree: how it ended, and status 1."""
+    """A crash, an endless loop, an unreadable tree: how it ended, no failure, and status 1."""
     status, output = replayed(CHECK, faces)
     assert (status, told in output) == (1, True), output
+    assert "any more" not in output
+    assert "blocked Node 0" in output
+    assert "concluded" not in output
+
+
+def test_what_only_the_clock_ended_is_nobody_s_fault(replayed: Replayed) -> None:
+    """A sleep, or a machine that is too busy: status 3, since nothing is known."""
+    status, output = replayed(CHECK, SLEEPS)
+    assert (status, "it did not come back within 3 s" in output) == (3, True), output
+    assert "Nothing is concluded about the submission" in output
     assert "any more" not in output
 
 
@@ -105,3 +128,54 @@ def test_what_is_decided_is_told(replayed: Replayed) -> None:
     assert (status, f"{CHECK} does not fail on this input any more" in output) == (0, True)
     status, output = replayed("bvh.leaves-hold-at-most-four", 5)
     assert (status, "expected" in output) == (1, True), output
+
+
+def shrunk(tree: Bvh) -> Bvh:
+    """Make one box smaller than its faces."""
+    high = tree.high.copy()
+    high[1] = tree.low[1]
+    return replace(tree, high=high)
+
+
+def moved(tree: Bvh) -> Bvh:
+    """Give a leaf the faces of another one."""
+    last = np.flatnonzero(tree.end)[-1]
+    begin, end = tree.begin.copy(), tree.end.copy()
+    begin[last], end[last] = begin[last - 1], end[last - 1]
+    return replace(tree, begin=begin, end=end)
+
+
+def pictured(trace: TraceTrial) -> ImageTrial:
+    """Take the same rays for the pixels of a picture."""
+    t = trace.answers.limit.astype(np.float32)
+    return ImageTrial("nested", trace.mesh, trace.tree, t.size, 1, trace.rays, trace.answers, t)
+
+
+@pytest.fixture
+def right(
+    reference: Engine, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> Callable[[str, Trial], tuple[int, str]]:
+    """Show a counterexample again with right code."""
+    monkeypatch.setattr(grader.replay, "engines_for", lambda *_: Engines(reference))
+
+    def run(check: str, trial: Trial) -> tuple[int, str]:
+        file = tmp_path / "file.json"
+        file.write_text(to_text(replace(small(), check=check, trial=trial)))
+        done = CliRunner().invoke(cli, ["check", str(tmp_path), "--replay", str(file)])
+        return done.exit_code, " ".join(done.output.split())
+
+    return run
+
+
+@pytest.mark.parametrize("edit", [shrunk, moved])
+@pytest.mark.parametrize("check", ["hits.closest-wins", "image.equals-mitsuba"])
+def test_an_edited_tree_blames_nobody(
+    right: Callable[[str, Trial], tuple[int, str]], check: str, edit: Callable[[Bvh], Bvh]
+) -> None:
+    """Right code loses hits in a tree that somebody has changed: told so, and status 3."""
+    trace = traced()
+    for tree, status, told in ((trace.tree, 0, "any more"), (edit(trace.tree), 3, CHANGED)):
+        asked = replace(trace, tree=tree)
+        ended, output = right(check, pictured(asked) if check.startswith("image") else asked)
+        assert (ended, told in output) == (status, True), output
+        assert "expected" not in output

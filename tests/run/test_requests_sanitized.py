@@ -1,7 +1,5 @@
 """What a worker of the sanitized build does for trials of several meshes."""
 
-from dataclasses import replace
-
 from grader.model.cases import MemoryCase
 from grader.model.stages import Stop
 from grader.model.trials import RebuildTrial, RepeatTrial
@@ -10,17 +8,13 @@ from grader.run.session import Engine, run_job
 from grader.verify.planned import kinds_of
 from tests.compiled import PATIENT
 from tests.verify.builder import soup
-from tests.verify.trials import every_trial
+from tests.verify.trials import rebuilds, repeats
 
 
 def test_sanitized_workers_are_looked_at_when_they_end(reference: Engine) -> None:
     """What they deliver is not compared: one job, and no case but its end."""
-    first, second = soup(1), soup(37)
-    (repeat,) = (each for each in every_trial() if isinstance(each, RepeatTrial))
-    for trial in (
-        RebuildTrial("again", first, second, sanitized=True),
-        replace(repeat, sanitized=True),
-    ):
+    of_two: tuple[RebuildTrial | RepeatTrial, ...] = (*rebuilds(soup(1)), *repeats(soup(37)))
+    for trial in (each for each in of_two if each.sanitized):
         asked = request(trial)
         (job,) = asked.jobs
         ending, result = run_job(job, reference, PATIENT)

@@ -15,9 +15,10 @@ from grader.model.cases import (
     SurvivalCase,
 )
 from grader.model.stages import Ending, Stop
-from grader.model.trials import ConstructTrial, ImageTrial, TraceTrial, Trial
+from grader.model.trials import ImageTrial, Trial
 from grader.run.job import Result
 from grader.run.requests import request
+from grader.run.trials import is_sanitized
 from grader.verify import every_check
 from grader.verify.planned import kinds_of, planned_cases
 from tests.verify.trials import construct, every_trial
@@ -37,8 +38,7 @@ def delivered(trial: Trial) -> tuple[Case, ...]:
     """Make the cases that a trial gives when its worker finishes."""
     asked = request(trial)
     cases = asked.read([Zeros(job.result_size) for job in asked.jobs], ENDED)
-    sanitized = isinstance(trial, ConstructTrial | TraceTrial) and trial.sanitized
-    ended = (MemoryCase if sanitized else SurvivalCase)(trial.name, trial, ENDED)
+    ended = (MemoryCase if is_sanitized(trial) else SurvivalCase)(trial.name, trial, ENDED)
     return (ended, *cases)
 
 

@@ -55,6 +55,23 @@ def trace(special: bool, sanitized: bool) -> TraceTrial:
     )
 
 
+def rebuilds(mesh: Mesh) -> tuple[RebuildTrial, ...]:
+    """Make both trials of two meshes of part a."""
+    return (
+        RebuildTrial("rebuild", mesh, soup(5)),
+        RebuildTrial("rebuild sanitized", mesh, soup(5), sanitized=True),
+    )
+
+
+def repeats(mesh: Mesh) -> tuple[RepeatTrial, ...]:
+    """Make both trials of two meshes of part b."""
+    one, other = build(mesh), build(soup(5))
+    given = (mesh, one, soup(5), other, RAYS, NOTHING, NOTHING)
+    return RepeatTrial("repeat", *given), RepeatTrial(
+        "repeat sanitized", *given, sanitized=True
+    )
+
+
 def every_trial() -> tuple[Trial, ...]:
     """Make a trial of each kind and flavour, the one with four million faces aside."""
     mesh, tree, t = soup(9), build(soup(9)), np.full(3, np.inf, np.float32)
@@ -63,7 +80,7 @@ def every_trial() -> tuple[Trial, ...]:
         construct(37),
         construct(256, sanitized=True),
         construct(257, sanitized=True),
-        RebuildTrial("rebuild", mesh, soup(5)),
+        *rebuilds(mesh),
         *(
             trace(special, sanitized)
             for special in (False, True)
@@ -71,6 +88,6 @@ def every_trial() -> tuple[Trial, ...]:
         ),
         AlteredTrial("altered", mesh, tree, RAYS, NOTHING, np.zeros(3, np.bool_), "nothing"),
         WorkTrial("work", mesh, tree, RAYS, 1.0, 1.0),
-        RepeatTrial("repeat", mesh, tree, soup(5), build(soup(5)), RAYS, NOTHING, NOTHING),
+        *repeats(mesh),
         ImageTrial("image", mesh, tree, 3, 1, RAYS, NOTHING, t),
     )

@@ -1,6 +1,7 @@
 """How does one submission look on a page? What to fix first, then what was seen, then facts."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 from grader.language import Words, translator
@@ -17,22 +18,26 @@ NOTHING: Json = {"schema": 1, "pictures": [], "models": []}
 """Views of a submission that was not run."""
 
 
-def to_html(result: Json, views: Json | None, language: str) -> str:
+def to_html(result: Json, views: Json | None, language: str, hints: bool = True) -> str:
     """Write `report.html`, one file that needs nothing else.
 
     Args:
         result: Values of a `result.json`, which validate against the schema.
         views: Values of its `views.json`; None if nothing was drawn.
         language: `en` or `de`.
+        hints: Whether causes, questions and things to try are told.
 
     Raises:
         OutputFault: The views are too large, or packed otherwise than they should be.
     """
     words, seen = translator(language), views or NOTHING
     shown = models(seen, words, teller(language))
+    failed = [spoken(one, teller(language)) for one in failures(result, seen, words)]
+    if not hints:
+        failed = [replace(one, cause="", hints=()) for one in failed]
     values = {
         **head(result, words),
-        "failures": [spoken(one, teller(language)) for one in failures(result, seen, words)],
+        "failures": failed,
         "idle": [not_started(part, words) for part in idle_parts(result)],
         "broken": [one for one in result["checks"] if one["verdict"] == "broken"],
         "groups": groups(result, words),
