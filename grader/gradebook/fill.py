@@ -21,6 +21,9 @@ _NUMBER = re.compile(r"\d+(?:[.,]\d+)?")
 _POSSIBLE = "Points Possible"
 """Stands in the first cell of a row of Canvas that is no student."""
 
+_READ_ONLY = "(read only)"
+"""Stands in that row where Canvas passes over a column, without a word."""
+
 
 @dataclass(frozen=True, slots=True)
 class Filled:
@@ -44,11 +47,14 @@ def filled(
     """Fill a teacher's file.
 
     Raises:
-        UsageError: It is not such a file, or its assignment has another maximum.
+        UsageError: It is not such a file, its assignment has another maximum, or the host would
+            pass over its column.
     """
     table = read_table(data)
     columns = columns_of(table.header, host, asked)
     lines = list(table.lines)
+    if host == "canvas":
+        require_writable(table, columns)
     rows = students(table, host, columns)
     found = matched(rows, columns, given)
     if not found.pairs:
@@ -88,6 +94,22 @@ def students(table: Table, host: str, columns: Columns) -> list[tuple[int, Line]
         and any(line.value(number).strip() for number in ids)
         and not (host == "canvas" and _POSSIBLE in line.value(0))
     ]
+
+
+def require_writable(table: Table, columns: Columns) -> None:
+    """Look whether Canvas takes what is in the column for points.
+
+    Raises:
+        UsageError: It does not.
+    """
+    for place, line in enumerate(table.lines):
+        cell = line.value(columns.grade)
+        if _POSSIBLE in line.value(0) and _READ_ONLY in cell.casefold():
+            raise UsageError(
+                f"row {place + 1}: the column {table.header[columns.grade]!r} is read only, so "
+                "Canvas would pass over all points in it; name another column with "
+                "--grade-column"
+            )
 
 
 def writes_commas(table: Table, columns: Columns) -> bool:
