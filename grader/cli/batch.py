@@ -24,7 +24,7 @@ from grader.plain import as_name
 from grader.report.escape import line_for_terminal
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Mapping
 
     from grader.batch.comparison import Change
     from grader.batch.job import Job
@@ -137,6 +137,7 @@ def regraded(job: "Job", apply: bool) -> int:
         UsageError: There is nothing to compare with.
     """
     from grader.batch.comparison import changes
+    from grader.batch.records import names_of
     from grader.batch.runner import Batch
     from grader.batch.store import opened_store
 
@@ -152,8 +153,9 @@ def regraded(job: "Job", apply: bool) -> int:
                 batch.grade()
             except (WorkerFault, KeyboardInterrupt) as fault:
                 return ended_early(watch, fault)
-        tell_changes(changes(store, before, job.settings))
-        if missing := tell_missing(store.without_points(job.settings)):
+        names = names_of(store.students())
+        tell_changes(changes(store, before, job), names)
+        if missing := tell_missing(store.without_points(job.settings), names):
             kept = "so nothing was changed; the same command goes on"
             say(f"{missing:,} not graded anew, {kept}")
             return OUR_FAULT
@@ -165,8 +167,15 @@ def regraded(job: "Job", apply: bool) -> int:
         return told(job, batch.write(), batch.troubles)
 
 
-def tell_changes(found: "Iterable[tuple[Student, Change | None]]") -> None:
-    """Say of everybody whose points or checks change what changes, and why."""
+def tell_changes(
+    found: "Iterable[tuple[Student, Change | None]]", names: "Mapping[str, str]"
+) -> None:
+    """Say of everybody whose points or checks change what changes, and why.
+
+    Args:
+        found: Students, and what changes for them.
+        names: Of their folders.
+    """
     from grader.batch.comparison import lines
 
     same = 0
@@ -175,13 +184,13 @@ def tell_changes(found: "Iterable[tuple[Student, Change | None]]") -> None:
             same += 1
             continue
         first, *checks = lines(change)
-        say(f"{student.name}: {first}")
+        say(f"{names[student.slug]}: {first}")
         for line in checks:
             click.echo(f"    {line_for_terminal(line)}")
     say(f"{same:,} stay as they are")
 
 
-def tell_missing(students: "Iterable[Student]") -> int:
+def tell_missing(students: "Iterable[Student]", names: "Mapping[str, str]") -> int:
     """Name everybody who could not be graded anew; how many there are."""
     missing = list(students)
     for student in missing:
@@ -190,7 +199,7 @@ def tell_missing(students: "Iterable[Student]") -> int:
             if student.sha256
             else ", since its file was never read; grade the download again"
         )
-        say(f"{student.name}: not graded anew{unread}")
+        say(f"{names[student.slug]}: not graded anew{unread}")
     return len(missing)
 
 
