@@ -153,6 +153,11 @@ def test_whole_messages_are_told(english: str, german: str) -> None:
     assert GERMAN(english) == german
 
 
+def entry(folder: str) -> Entry:
+    """Make a file that says something else in each folder."""
+    return Entry(f"{folder}/exercise03.cpp", lambda _: folder.encode())
+
+
 REFUSED: dict[str, Candidate | Fault] = {
     "empty": Candidate("a/exercise03.cpp", b" "),
     "large": Candidate("a/exercise03.cpp", bytes(3000)),
@@ -161,10 +166,7 @@ REFUSED: dict[str, Candidate | Fault] = {
     "link": Candidate("a/exercise03.cpp", NOT_A_FILE),
     "damaged": DAMAGED,
     "many": TOO_MANY,
-    "two": choose(
-        [Entry(f"{name}/exercise03.cpp", lambda _, name=name: name.encode()) for name in "ab"],
-        100,
-    ),
+    "two": choose([entry("a"), entry("b")], 100),
     "none": choose([Entry("main.cpp", lambda _: b"")], 100),
     "nothing": choose([], 100),
 }

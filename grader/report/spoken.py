@@ -4,6 +4,9 @@
 themselves; what the checks found, why a file was refused, and our remarks are translated here.
 """
 
+from collections.abc import Mapping
+from typing import Any
+
 from grader.language import Words
 from grader.phrases import teller
 from grader.report.as_json import Json
@@ -29,7 +32,7 @@ def in_language(result: Json, language: str) -> Json:
     return result | {"checks": checks, "build": build}
 
 
-def messages(result: Json, told: Words) -> list[Json]:
+def messages(result: Mapping[str, Any], told: Words) -> list[Json]:
     """Return what is said of the build, with our own words told; a compiler's stay.
 
     Args:
