@@ -7,7 +7,18 @@ from pathlib import Path
 
 import pytest
 
+from grader.intake.candidates import (
+    DAMAGED,
+    NOT_A_FILE,
+    TOO_MANY,
+    Candidate,
+    Entry,
+    Fault,
+    choose,
+)
+from grader.intake.locate import judged
 from grader.language import catalogue
+from grader.model.stages import Rejected
 from grader.phrases import HOLE, teller
 from tests.own_files import ROOT
 from tests.report.hostile import HOSTILE
@@ -20,11 +31,19 @@ TOLD_BY = (
     *(ROOT / "grader" / "run" / f"{name}.py" for name in ("session", "trials")),
     ROOT / "grader" / "oracle" / "altered.py",
     ROOT / "grader" / "score" / "points.py",
+    *sorted((ROOT / "grader" / "intake").glob("*.py")),
+    ROOT / "grader" / "build" / "compile.py",
+    ROOT / "grader" / "gallery" / "gallery.py",
+    *(ROOT / "grader" / f"{name}.py" for name in ("kept", "summary")),
 )
-"""Where messages of checks are worded."""
+"""Where messages of checks are worded, reasons why a file is refused, and remarks."""
 
 NO_MESSAGE = re.compile(
     r"ERROR|_OPTIONS|detect_leaks|print_stacktrace|Assertion|runtime error|AddressSanitizer"
+    # What the caller or the machine did is no reason to refuse a file.
+    r"|is expected$|it was there a moment ago|in it: |does not get through|does not compile: "
+    r"|it stood in line for a processor"
+    r"|^compiling stood in line|^model name$|cannot be removed: "
     r"|^\{\}\.py$|^t = inf$|facesBegin|^replaced leaves$|^shrunk boxes$|^special rays$"
 )
 """Patterns of what others write, names, and what is the same in both languages."""
@@ -131,6 +150,63 @@ def number(hole: re.Match[str]) -> str:
 )
 def test_whole_messages_are_told(english: str, german: str) -> None:
     """Sentences within sentences, with every number."""
+    assert GERMAN(english) == german
+
+
+def entry(folder: str) -> Entry:
+    """Make a file that says something else in each folder."""
+    return Entry(f"{folder}/exercise03.cpp", lambda _: folder.encode())
+
+
+REFUSED: dict[str, Candidate | Fault] = {
+    "empty": Candidate("a/exercise03.cpp", b" "),
+    "large": Candidate("a/exercise03.cpp", bytes(3000)),
+    "wide": Candidate("a/exercise03.cpp", "int a;".encode("utf-16")),
+    "archive": Candidate("no hit: exercise03.cpp", b"PK\x03\x04"),
+    "link": Candidate("a/exercise03.cpp", NOT_A_FILE),
+    "damaged": DAMAGED,
+    "many": TOO_MANY,
+    "two": choose([entry("a"), entry("b")], 100),
+    "none": choose([Entry("main.cpp", lambda _: b"")], 100),
+    "nothing": choose([], 100),
+}
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_why_a_file_is_refused_is_told_in_german(name: str) -> None:
+    """With its name as it is, and nothing of ours in English."""
+    found = judged("ada", REFUSED[name], 2048)
+    assert isinstance(found, Rejected)
+    told = GERMAN(found.reason)
+    english = r"\b(the|this|file|files|hand|pack|but|called|more than)\b"
+    assert re.search(english, found.reason)
+    assert not re.search(english, told)
+    if isinstance(REFUSED[name], Candidate):
+        path, reason = found.reason.rsplit(".cpp: ", 1)
+        assert told.startswith(f"{path}.cpp: ")
+        assert reason not in told
+
+
+@pytest.mark.parametrize(
+    ("english", "german"),
+    [
+        (
+            "it prints more than 64 KiB in one run; the rest was dropped",
+            "sie gibt in einem Lauf mehr als 64 KiB aus; der Rest wurde verworfen",
+        ),
+        (
+            "with sanitizers it does not compile, so memory is not safe: line 3: no hit",
+            "mit Sanitizern lässt sie sich nicht kompilieren, also ist der Speicher nicht "
+            "sicher: Zeile 3: no hit",
+        ),
+        (
+            "views.json is missing, which is our own fault (KeyError) and costs no point",
+            "views.json fehlt; das ist unser eigener Fehler (KeyError) und kostet keinen Punkt",
+        ),
+    ],
+)
+def test_remarks_are_told_in_german(english: str, german: str) -> None:
+    """A compiler's words in them stay as they are."""
     assert GERMAN(english) == german
 
 

@@ -7,11 +7,17 @@ run of two versions, and nobody has more or fewer points for it.
 import json
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
+from grader.batch.files import Results
+from grader.batch.job import Job
 from grader.batch.records import Student
 from grader.batch.settings import Settings
 from grader.batch.store import Store
+from grader.errors import UsageError
+from grader.gradebook.results import read_result
+from grader.output import RESULT, STUDENTS
 from grader.plain import one_line
 
 Json = Mapping[str, Any]
@@ -53,21 +59,34 @@ def compared(before: Json, after: Json) -> Change | None:
     return Change(first, then, changed) if changed or first != then else None
 
 
-def changes(
-    store: Store, first: Settings, second: Settings
-) -> Iterator[tuple[Student, Change | None]]:
-    """Compare what two settings give everybody who has a result of the second."""
+def changes(store: Store, first: Settings, job: Job) -> Iterator[tuple[Student, Change | None]]:
+    """Compare what the first settings and those of a job give everybody who has a result."""
+    results = Results(store, job)
     for student in store.students():
-        if student.sha256 is None:
+        if student.sha256 is not None:
+            old, new = (store.result(student.sha256, each) for each in (first, job.settings))
+            before = None if old is None else json.loads(old.text)
+        elif student.reason:
+            before, new = _refused(job.folder, student, first), results.of(student)
+        else:
             continue
-        old, new = (store.result(student.sha256, each) for each in (first, second))
         if new is None:
             continue
         after = json.loads(new.text)
-        if old is None:
+        if before is None:
             yield student, Change("no result", points(after), ())
         else:
-            yield student, compared(json.loads(old.text), after)
+            yield student, compared(before, after)
+
+
+def _refused(folder: Path, student: Student, settings: Settings) -> Json | None:
+    """Find the result of who handed in no file: the store has none, but the folder does."""
+    if student.written != settings.digest:
+        return None
+    try:
+        return read_result(folder / STUDENTS / student.slug / RESULT)
+    except UsageError:
+        return None
 
 
 def lines(change: Change) -> list[str]:

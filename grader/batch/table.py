@@ -64,7 +64,7 @@ def _rows(store: Store, results: Results, totals: Totals, shown: list[Row]) -> I
             is_first = False
             # A byte order mark, without which Excel takes the file for Latin-1.
             yield "\ufeff" + _row([*COLUMNS, *(f"part {one['id']}" for one in result["parts"])])
-        shown.append(row_of(result, f"{STUDENTS}/{student.slug}/{PAGE}"))
+        shown.append(row_of(result, f"{STUDENTS}/{student.slug}/{PAGE}", student.id))
         yield _row(_cells(student, result))
 
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import click
 from click.exceptions import Exit
 
+from grader.cli.classes import ended_early, require_same, say, told
 from grader.cli.interrupts import interruptible
 from grader.cli.live import shown_class
 from grader.cli.options import (
@@ -16,23 +17,15 @@ from grader.cli.options import (
     time_option,
     unsafe_option,
 )
-from grader.cli.status import FULL_MARKS, INTERRUPTED, OUR_FAULT
+from grader.cli.regrading import regraded
 from grader.errors import UsageError, WorkerFault
 from grader.language import usual_language
 from grader.output import STUDENTS, ready
 from grader.plain import as_name
-from grader.report.escape import line_for_terminal
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
-
-    from grader.batch.comparison import Change
     from grader.batch.job import Job
     from grader.batch.layouts import Arrangement
-    from grader.batch.records import Student
-    from grader.batch.store import Store
-    from grader.batch.table import Totals
-    from grader.cli.live import Lines
 
 
 @click.command()
@@ -126,73 +119,6 @@ def graded(path: Path, job: "Job") -> int:
     return told(job, totals, batch.troubles)
 
 
-def ended_early(watch: "Lines", fault: WorkerFault | KeyboardInterrupt) -> int:
-    """Say why not all was graded, and what is kept; the exit status."""
-    kept = "what was graded is kept, and the same command goes on"
-    if isinstance(fault, WorkerFault):
-        watch.say(f"bvhgrade: {fault}")
-        watch.say(kept)
-        return OUR_FAULT
-    watch.say(f"interrupted; {kept}")
-    status: int = getattr(fault, "status", INTERRUPTED)
-    return status
-
-
-def regraded(job: "Job", apply: bool) -> int:
-    """Grade what the store holds with other settings; the exit status.
-
-    Raises:
-        UsageError: There is nothing to compare with.
-    """
-    from grader.batch.comparison import changes
-    from grader.batch.runner import Batch
-    from grader.batch.store import opened_store
-
-    with opened_store(job.folder) as store:
-        before = store.current()
-        if before is None:
-            raise UsageError(f"{job.folder} holds no results yet; grade a class first")
-        if before == job.settings:
-            return finished(job, store, apply)
-        say("; ".join(before.changes(job.settings)))
-        store.know(job.settings)
-        with shown_class() as watch:
-            batch = Batch(job, store, watch)
-            try:
-                batch.grade()
-            except (WorkerFault, KeyboardInterrupt) as fault:
-                return ended_early(watch, fault)
-        tell_changes(changes(store, before, job.settings))
-        if missing := tell_missing(store.without_points(job.settings)):
-            kept = "so nothing was changed; the same command goes on"
-            say(f"{missing:,} not graded anew, {kept}")
-            return OUR_FAULT
-        if not apply:
-            say("nothing was changed; --apply makes it so")
-            return FULL_MARKS
-        store.make_current(job.settings)
-        batch.job = replace(job, preview=False)
-        return told(job, batch.write(), batch.troubles)
-
-
-def finished(job: "Job", store: "Store", apply: bool) -> int:
-    """Write what an earlier call with `--apply` did not come to; the exit status.
-
-    Raises:
-        UsageError: Nothing was asked for: these are the settings of the class.
-    """
-    from grader.batch.runner import Batch
-
-    if not apply:
-        raise UsageError(
-            f"{job.folder} holds results of these very settings; name what is new, or grade "
-            "the download again if something is withheld"
-        )
-    with shown_class() as watch:
-        batch = Batch(replace(job, preview=False), store, watch)
-        return told(job, batch.write(), batch.troubles)
-
-
 def dropped(job: "Job", name: str) -> int:
     """Take a student out of a class; the exit status.
 
@@ -221,35 +147,6 @@ def dropped(job: "Job", name: str) -> int:
             return told(job, batch.tabulate(), batch.troubles)
 
 
-def tell_changes(found: "Iterable[tuple[Student, Change | None]]") -> None:
-    """Say of everybody whose points or checks change what changes, and why."""
-    from grader.batch.comparison import lines
-
-    same = 0
-    for student, change in found:
-        if change is None:
-            same += 1
-            continue
-        first, *checks = lines(change)
-        say(f"{student.name}: {first}")
-        for line in checks:
-            click.echo(f"    {line_for_terminal(line)}")
-    say(f"{same:,} stay as they are")
-
-
-def tell_missing(students: "Iterable[Student]") -> int:
-    """Name everybody who could not be graded anew; how many there are."""
-    missing = list(students)
-    for student in missing:
-        unread = (
-            ""
-            if student.sha256
-            else ", since its file was never read; grade the download again"
-        )
-        say(f"{student.name}: not graded anew{unread}")
-    return len(missing)
-
-
 def tell_of(class_: "Arrangement") -> None:
     """Say what was found, and what is left out.
 
@@ -261,33 +158,3 @@ def tell_of(class_: "Arrangement") -> None:
     if not class_.places:
         raise UsageError("there is no submission in it, but a class is expected")
     say(f"{len(class_.places):,} submissions, {class_.layout} layout")
-
-
-def require_same(store: "Store", job: "Job") -> None:
-    """Keep results of different rubrics, seeds and graders apart.
-
-    Raises:
-        UsageError: The folder holds results of other settings.
-    """
-    current = store.current()
-    if current is not None and current != job.settings:
-        changes = "; ".join(current.changes(job.settings))
-        raise UsageError(
-            f"{job.folder} holds results of other settings ({changes}); add --regrade to see "
-            "what that changes, or name another folder"
-        )
-    store.know(job.settings)
-
-
-def told(job: "Job", totals: "Totals", troubles: int) -> int:
-    """Say how it ended; the exit status."""
-    from grader.batch.table import CLASS
-
-    say(f"{totals.graded:,} graded, {totals.withheld:,} withheld, {totals.waiting:,} waiting")
-    say(f"{job.folder / CLASS}, and a folder for each in {job.folder / STUDENTS}")
-    return OUR_FAULT if totals.withheld or totals.waiting or troubles else FULL_MARKS
-
-
-def say(line: str) -> None:
-    """Print one line."""
-    click.echo(line_for_terminal(line))

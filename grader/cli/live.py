@@ -82,7 +82,7 @@ class LiveTable(Lines):
 
     def stage(self, student: "Student", stage: str) -> None:
         """Show what happens to a submission."""
-        self._stages[student.slug] = (student.name, stage)
+        self._stages[student.slug] = (student.told, stage)
         self._show()
 
     def finished(self, student: "Student", score: float | None, most: float) -> None:
@@ -138,8 +138,8 @@ def left(seconds: float) -> str:
 def worded(student: "Student", score: float | None, most: float) -> str:
     """Word the points of a submission."""
     if score is None:
-        return f"withheld  {student.name}"
-    return f"{score:g} of {most:g}  {student.name}"
+        return f"withheld  {student.told}"
+    return f"{score:g} of {most:g}  {student.told}"
 
 
 @contextmanager

@@ -9,7 +9,7 @@ import click
 from grader.cli.options import language_option
 from grader.cli.progress import shown_progress
 from grader.language import usual_language
-from grader.output import CLASS_PAGE, PAGE, RESULT, VIEWS, write_whole
+from grader.output import CLASS_PAGE, PAGE, RESULT, STORE, STUDENT, VIEWS, write_whole
 from grader.report.escape import line_for_terminal
 
 if TYPE_CHECKING:
@@ -63,7 +63,21 @@ def page_of(path: Path, folder: Path, language: str) -> "Row":
     result, views = read_result(path), path.with_name(VIEWS)
     seen = read_json(views, LARGEST_VIEWS, SCHEMA_VERSION) if views.is_file() else None
     page = write_page(path.parent, result, seen, language)
-    return row_of(result, page.relative_to(folder).as_posix())
+    return row_of(result, page.relative_to(folder).as_posix(), id_of(path, folder))
+
+
+def id_of(path: Path, folder: Path) -> str:
+    """Find what the platform calls a student of a class that `batch` graded.
+
+    Raises:
+        UsageError: What `batch` wrote about the student cannot be used.
+    """
+    from grader.gradebook.results import LARGEST_NAMES, read_json
+
+    known = path.with_name(STUDENT)
+    if not (folder / STORE).is_file() or not known.is_file():
+        return ""
+    return str(read_json(known, LARGEST_NAMES, 1).get("id", ""))
 
 
 def write_class(folder: Path, rows: Sequence["Row"], language: str) -> None:

@@ -21,6 +21,9 @@ _NUMBER = re.compile(r"\d+(?:[.,]\d+)?")
 _POSSIBLE = "Points Possible"
 """Stands in the first cell of a row of Canvas that is no student."""
 
+_READ_ONLY = "(read only)"
+"""Stands in that row where Canvas passes over a column, without a word."""
+
 
 @dataclass(frozen=True, slots=True)
 class Filled:
@@ -44,16 +47,18 @@ def filled(
     """Fill a teacher's file.
 
     Raises:
-        UsageError: It is not such a file, or its assignment has another maximum.
+        UsageError: It is not such a file, its assignment has another maximum, or the host would
+            pass over its column.
     """
     table = read_table(data)
     columns = columns_of(table.header, host, asked)
     lines = list(table.lines)
+    require_writable(table, host, columns)
     rows = students(table, host, columns)
     found = matched(rows, columns, given)
     if not found.pairs:
-        told = "\n".join(found.problems)
-        raise UsageError(f"no row has any of the {len(given)} students\n{told}")
+        about = (f"no row has any of the {len(given)} students", *found.problems)
+        raise UsageError("\n".join(about))
     comma = writes_commas(table, columns)
     problems = list(found.problems)
     for place, marked in found.pairs:
@@ -62,11 +67,11 @@ def filled(
         if reason := untouched(lines[place], columns, marked):
             problems.append(f"{marked.student}: row {place + 1} is left as it was: {reason}")
             continue
-        cell = grade_cell(marked.result["score"], comma, table.delimiter)
-        lines[place] = lines[place].changed(columns.grade, cell)
+        points = grade_cell(marked.result["score"], comma, table.delimiter)
+        lines[place] = lines[place].changed(columns.grade, points)
         if columns.feedback is not None:
-            cell = feedback_cell(marked.result, host, words)
-            lines[place] = lines[place].changed(columns.feedback, cell)
+            said = feedback_cell(marked.result, host, words)
+            lines[place] = lines[place].changed(columns.feedback, said)
     taken = {place for place, _ in found.pairs}
     empty = [name_of(place, line) for place, line in rows if place not in taken]
     kept = len(problems) - len(found.problems)
@@ -89,6 +94,22 @@ def students(table: Table, host: str, columns: Columns) -> list[tuple[int, Line]
         and any(line.value(number).strip() for number in ids)
         and not (host == "canvas" and _POSSIBLE in line.value(0))
     ]
+
+
+def require_writable(table: Table, host: str, columns: Columns) -> None:
+    """Look whether Canvas takes what is in the column for points.
+
+    Raises:
+        UsageError: It does not.
+    """
+    for place, line in enumerate(table.lines if host == "canvas" else ()):
+        cell = line.value(columns.grade)
+        if _POSSIBLE in line.value(0) and _READ_ONLY in cell.casefold():
+            raise UsageError(
+                f"row {place + 1}: the column {table.header[columns.grade]!r} is read only, so "
+                "Canvas would pass over all points in it; name another column with "
+                "--grade-column"
+            )
 
 
 def writes_commas(table: Table, columns: Columns) -> bool:

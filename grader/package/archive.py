@@ -55,14 +55,13 @@ def files_of(folder: Path, without: Iterable[str] = ()) -> tuple[Member, ...]:
 
     Args:
         folder: What to read.
-        without: Names of folders at its top, and endings of files, to leave out.
+        without: Names of folders at its top to leave out.
     """
     left_out = frozenset(without)
     found = []
     for path in sorted(folder.rglob("*")):
         inside = path.relative_to(folder)
-        skipped = path.suffix in left_out or inside.parts[0] in left_out
-        if not path.is_file() or skipped:
+        if not path.is_file() or inside.parts[0] in left_out:
             continue
         if not any(part in LEFTOVERS for part in inside.parts):
             found.append(Member(inside.as_posix(), path.read_bytes(), _runs(path)))

@@ -9,8 +9,8 @@ import re
 
 from grader.errors import UsageError
 from grader.package.archive import Member, below
+from grader.package.exercise import exercise
 from grader.package.kit import Choices, kit, ours
-from grader.package.wheel import exercise
 
 REPOSITORY = re.compile(r"[A-Za-z0-9][A-Za-z0-9-]{0,38}/[A-Za-z0-9._-]{1,100}")
 

@@ -17,8 +17,8 @@ from grader.model.mesh import Mesh
 from grader.model.scene import Reference, Scene
 from grader.oracle.scenes import load_mesh, scenes, usable_reference
 from grader.package.archive import Member, below
+from grader.package.exercise import exercise
 from grader.package.kit import Choices
-from grader.package.wheel import exercise
 from grader.score.rubric import load_rubric
 from grader.verify import every_check
 
@@ -37,7 +37,8 @@ def members(choices: Choices) -> tuple[Member, ...]:
     """Collect the archive's files.
 
     Raises:
-        UsageError: The rubric or its scenes are wrong, or choices only fit a grader.
+        UsageError: The rubric or its scenes are wrong, choices only fit a grader, or a file of
+            the exercise is not the one to be handed out.
         OracleFault: A mesh or its picture is missing or damaged.
     """
     if choices.seed is not None or choices.wheels is not None:

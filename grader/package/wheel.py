@@ -16,13 +16,11 @@ from pathlib import Path
 from grader import resources
 from grader.errors import GraderError
 from grader.package.archive import Member, below, files_of, zipped
+from grader.package.exercise import exercise
 
 NAME = "bvhgrade"
 
 NAME_OF_REQUIREMENT = re.compile(r"[A-Za-z0-9]([A-Za-z0-9._-]*[A-Za-z0-9])?")
-
-BUILT = ("build", ".ppm", ".png")
-"""What a student's build leaves in the exercise's folder; pyproject.toml leaves it out, too."""
 
 FORMAT = """\
 Wheel-Version: 1.0
@@ -36,6 +34,7 @@ def own_wheel() -> Member:
     """Pack the installed grader with the exercise, the reference and the scenes.
 
     Raises:
+        UsageError: The exercise is not as it is to be handed out.
         GraderError: The installation does not know its own name.
     """
     installed = _installed()
@@ -49,11 +48,6 @@ def own_wheel() -> Member:
     ]
     record = Member(f"{information}/RECORD", _record(members, f"{information}/RECORD"))
     return Member(f"{NAME}-{installed.version}-py3-none-any.whl", zipped([*members, record]))
-
-
-def exercise() -> tuple[Member, ...]:
-    """Read the exercise as students get it."""
-    return files_of(resources.stub_folder(), BUILT)
 
 
 def pinned() -> str:

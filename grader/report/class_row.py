@@ -3,10 +3,12 @@
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from pathlib import PurePosixPath
 from statistics import fmean, median
 from typing import Any
 
 from grader.report.hints import misconception
+from grader.report.people import told_apart
 
 Json = Mapping[str, Any]
 
@@ -41,6 +43,9 @@ class Row:
     note: str
     """Why there is nothing to see, if so: the file does not compile, or was refused."""
 
+    id: str = ""
+    """What the platform calls the student, if that is known."""
+
 
 @dataclass(frozen=True, slots=True)
 class Bar:
@@ -51,12 +56,13 @@ class Bar:
     students: int
 
 
-def row_of(result: Json, link: str) -> Row:
+def row_of(result: Json, link: str, id: str = "") -> Row:
     """Take from a `result.json` what a class needs.
 
     Args:
         result: Its values, which validate against the schema.
         link: Where the student's report lies, relative to the page of the class.
+        id: What the platform calls the student.
     """
     checks = result["checks"]
     # How many places it explains differs from student to student; what is believed does not.
@@ -74,6 +80,7 @@ def row_of(result: Json, link: str) -> Row:
         verdicts=tuple((one["id"], one["verdict"]) for one in checks),
         causes=tuple(causes.items()),
         note="" if build["ok"] else _first_error(build["diagnostics"]),
+        id=id,
     )
 
 
@@ -115,13 +122,18 @@ def most_failed(rows: Iterable[Row]) -> list[tuple[str, int]]:
     return sorted(failed.items(), key=lambda one: (-one[1], one[0]))
 
 
-def misconceptions(rows: Iterable[Row]) -> list[tuple[str, str, list[str]]]:
+def names_of(rows: Iterable[Row]) -> list[str]:
+    """Return what each row is called, so that no two are called the same."""
+    return told_apart([(row.name, row.id, PurePosixPath(row.link).parent.name) for row in rows])
+
+
+def misconceptions(rows: Sequence[Row]) -> list[tuple[str, str, list[str]]]:
     """Return likely misconceptions of several students: sentence, check, and whose they are."""
     whose: dict[str, list[str]] = {}
     checks: dict[str, str] = {}
-    for row in rows:
+    for row, name in zip(rows, names_of(rows), strict=True):
         for cause, check in row.causes:
-            whose.setdefault(cause, []).append(row.name)
+            whose.setdefault(cause, []).append(name)
             checks.setdefault(cause, check)
     shared = [
         (cause, checks[cause], names) for cause, names in whose.items() if len(names) >= FEWEST

@@ -77,7 +77,7 @@ def rejected(sheet: Sheet, given: Rejected) -> None:
     sign = sheet.glyphs.mark(Verdict.FAIL)
     statement = (sheet.words("There is no file to grade"), "bold")
     sheet.lines.append(Text.assemble((f"{sign} ", "red"), statement))
-    sheet.beside("", given.reason)
+    sheet.beside("", sheet.told(given.reason))
 
 
 def uncompiled(sheet: Sheet, grade: Grade) -> None:
@@ -179,7 +179,8 @@ def worst_failure(sheet: Sheet, grade: Grade, occasion: Occasion) -> None:
 def remarks(sheet: Sheet, grade: Grade) -> None:
     """Say what is worth knowing of the run and costs nothing."""
     for remark in () if grade.build is None else grade.build.remarks:
-        sheet.say(sheet.words("Note: {remark}.").format(remark=sheet.line(remark)), "yellow")
+        told = sheet.line(sheet.told(remark))
+        sheet.say(sheet.words("Note: {remark}.").format(remark=told), "yellow")
 
 
 def footer(sheet: Sheet, grade: Grade, occasion: Occasion) -> None:

@@ -5,6 +5,7 @@ from pathlib import Path
 from statistics import median
 
 from grader.batch.base import opened_base
+from grader.batch.records import names_of
 from grader.batch.store import Store
 from grader.errors import UsageError
 from grader.output import STORE, write_whole
@@ -53,7 +54,7 @@ def write_alike(folder: Path, least: float, footer: str, language: str) -> tuple
 
 
 def handed_in(folder: Path) -> tuple[list[tuple[str, ...]], list[bytes]]:
-    """Read the different files of a class, and who handed each of them in.
+    """Read the different files of a class, and who handed each of them in, told apart.
 
     Raises:
         UsageError: No class is kept there, or another batch uses it.
@@ -66,9 +67,10 @@ def handed_in(folder: Path) -> tuple[list[tuple[str, ...]], list[bytes]]:
     owners: dict[str, list[str]] = {}
     with opened_base(folder) as base:
         store = Store(base)
+        told = names_of(store.students())
         for student in store.students():
             if student.sha256 is not None:
-                owners.setdefault(student.sha256, []).append(student.name)
+                owners.setdefault(student.sha256, []).append(told[student.slug])
         sources = [store.source(sha256) for sha256 in owners]
     return [tuple(names) for names in owners.values()], sources
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from importlib.util import find_spec
 from itertools import starmap
 
-from grader import resources
 from grader.errors import GraderError, MissingTool
+from grader.package.exercise import starter
 from grader.plain import printable
 from grader.sandbox.box import Bounds, Box
 from grader.sandbox.launch import PLAIN_ENVIRONMENT, Order, launch
@@ -65,6 +65,7 @@ def compared(sources: Sequence[bytes]) -> Compared:
 
     Raises:
         MissingTool: copydetect is not installed.
+        UsageError: The starter is not the one that students got.
         WorkerFault: No process could be confined on this machine.
         GraderError: The comparison did not end as it should.
     """
@@ -73,8 +74,7 @@ def compared(sources: Sequence[bytes]) -> Compared:
             "copydetect, which compares submissions, is not installed; "
             'pip install "bvhgrade[similar]"'
         )
-    starter = (resources.stub_folder() / "src" / "exercise03.cpp").read_bytes()
-    answer = _asked(reader.write_sources([starter, *sources]))
+    answer = _asked(reader.write_sources([starter(), *sources]))
     return read_answer(answer, len(sources))
 
 

@@ -10,10 +10,11 @@ from grader.batch.comparison import compared, lines, provenance_changes
 from grader.batch.job import Job
 from grader.batch.store import opened_store
 from grader.batch.work import Order, Refused
-from grader.cli.batch import regraded
+from grader.cli.regrading import regraded
 from grader.errors import UsageError
 from grader.kept import Result, kept
 from grader.report.as_json import to_json
+from grader.score.rubric import SHIPPED
 from tests.batch.classes import CODE, folder_of, grade, points
 from tests.batch.stand_in import SETTINGS, begun, job
 from tests.cli.calls import call
@@ -198,6 +199,43 @@ def test_a_fault_of_the_cluster_says_what_is_kept(
     told = capsys.readouterr().err
     assert "bvhgrade: another machine" in told
     assert "what was graded is kept, and the same command goes on" in told
+
+
+def test_namesakes_are_told_apart(
+    tmp_path: Path, log: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """By their ids, or by their folders where there are none."""
+    files = {f"{name}.cpp": "moody" for name in ("ada", "bob", "cy", "di")}
+    out = tmp_path / "out"
+    grade(folder_of(tmp_path, "class", files), job(out))
+    ids = {"ada": "u1", "bob": "u2", "cy": "", "di": ""}
+    with opened_store(out) as store:
+        for one in list(store.students()):
+            store.put(replace(one, name="Ada", id=ids[one.slug]), b"")
+    moody = replace(anew(out), wish=replace(job(out).wish, seed=7))
+    assert regraded(moody, apply=False) == 0
+    said = capsys.readouterr().out
+    for name in ("Ada (u1)", "Ada (u2)", "Ada (cy)", "Ada (di)"):
+        assert f"\n{name}: 50 of 50 -> " in said
+
+
+def test_who_handed_in_no_file_changes_too(
+    tmp_path: Path, log: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Zero points of another maximum; nothing of it is in the store."""
+    out = tmp_path / "out"
+    grade(folder_of(tmp_path, "class", {"ada.cpp": CODE, "cy.cpp": " "}), job(out))
+    path = tmp_path / "rubric.toml"
+    path.write_text(SHIPPED.read_text().replace("\npoints = 3\n", "\npoints = 4\n", 1))
+    old = job(out)
+    settings = replace(SETTINGS, rubric_sha256="3" * 64)
+    new = replace(old, settings=settings, wish=replace(old.wish, rubric=path), preview=True)
+    assert regraded(new, apply=False) == 0
+    said = capsys.readouterr().out
+    assert "cy: 0 of 50 -> 0 of 51" in said
+    assert "1 stay as they are" in said
+    assert regraded(anew(out), apply=False) == 0
+    assert "2 stay as they are" in capsys.readouterr().out
 
 
 def test_a_download_has_no_place_in_a_regrade(tmp_path: Path) -> None:

@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 # What imports the real pipeline has to do so before a test replaces it.
+import grader.batch.comparison
 import grader.batch.settings  # noqa: F401 - for what it imports
 from tests.cli.calls import FILE, Pipeline
 

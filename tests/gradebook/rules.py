@@ -84,6 +84,10 @@ def canvas(data: bytes, users: dict[str, str], assignment: str) -> dict[str, flo
     if "Section" not in header:
         raise ImportAbortedError("no column Section")
     (column,) = (n for n, name in enumerate(header) if name.endswith(f"({assignment})"))
+    possible = [row for row in rows if "Points Possible" in row[0]]
+    if any("(read only)" in row[column].lower() for row in possible):
+        # Canvas passes over the column without a word.
+        return {}
     taken: dict[str, float | None] = {}
     for row in rows:
         if "Points Possible" in row[0]:

@@ -185,6 +185,18 @@ def test_canvas_s_points_possible_are_compared() -> None:
         fill(text, "canvas", a_class(ada="right"), Asked(grade="Exercise 3 BVH"))
 
 
+@pytest.mark.parametrize("cell", ["(read only)", "50 (Read Only)"])
+def test_a_column_that_canvas_passes_over_is_refused(cell: str) -> None:
+    """It would say nothing, and no student had any points."""
+    text = sheets.CANVAS.replace(",10,50,", f",10,{cell},")
+    users = {"9001": "ada", "9002": "grace", "9003": "jm", "9009": "test"}
+    assert rules.canvas(text.encode(), users, "66") == {}
+    with pytest.raises(UsageError, match=r"'Exercise 3 BVH \(66\)'.*read only.*--grade-column"):
+        fill(text, "canvas", a_class(ada="right"), Asked(grade="Exercise 3 BVH"))
+    other = text.replace(",10,", ",50,")
+    assert fill(other, "canvas", a_class(ada="right"), Asked(grade="Exercise 2")).filled == 1
+
+
 def test_a_file_of_another_class_is_refused() -> None:
     """Not one of the students is in it."""
     with pytest.raises(UsageError, match="no row has any of the 1 students\neve: no row"):

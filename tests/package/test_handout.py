@@ -10,12 +10,24 @@ from PIL import Image
 
 from grader import resources
 from grader.model.mesh import Mesh
+from grader.oracle.album import render_scenes
 from grader.oracle.scenes import load_mesh, scenes
+from grader.oracle.variant import Variant
+from grader.package import handout as module
 from grader.package.archive import zipped
 from grader.package.handout import as_obj, members, points
 from grader.package.kit import Choices
 from grader.score.rubric import SHIPPED, load_rubric
+from tests.oracle.own import own_folder
 from tests.own_files import ROOT
+
+ANYWHERE = {"namespace {", "} // namespace", "};", "AABB bounds;"}
+"""Lines of the model solution that the exercise's own files have as well."""
+
+
+def lines(path: Path) -> set[str]:
+    """Read what a source says, line by line."""
+    return {line.strip() for line in path.read_text("latin-1").splitlines()} - {""}
 
 
 @pytest.fixture(scope="module")
@@ -32,22 +44,40 @@ def test_it_is_the_exercise_as_it_is_kept(handout: zipfile.ZipFile) -> None:
 
 
 def test_nothing_of_reference_grader_or_tests_is_in_it(handout: zipfile.ZipFile) -> None:
-    """Neither a file, nor a line of a solution that partitions faces."""
+    """Neither a file, nor a line of a solution that partitions, nor any of the model's."""
     names = handout.namelist()
     assert not [name for name in names if not name.startswith("exercise03/")]
     assert not [name for name in names if Path(name).suffix in {".py", ".whl", ".exr", ".npz"}]
-    told = b"\n".join(handout.read(name) for name in names if not name.endswith(".obj"))
-    starter = (resources.stub_folder() / "src/exercise03.cpp").read_text()
+    texts = [name for name in names if not name.endswith((".obj", ".png"))]
+    told = "\n".join(handout.read(name).decode() for name in texts)
+    starter = handout.read("exercise03/src/exercise03.cpp").decode()
     solutions = [
         resources.reference_source(),
         *(ROOT / "tests/submissions/right").glob("*.cpp"),
     ]
-    lines = {
-        line.strip() for path in solutions for line in path.read_text("latin-1").splitlines()
-    }
-    theirs = {line for line in lines if "nth_element(" in line}
+    theirs = {line for path in solutions for line in lines(path) if "nth_element(" in line}
     assert theirs
-    assert not [line for line in theirs if line.encode() in told and line not in starter]
+    assert not [line for line in theirs if line in told and line not in starter]
+    own = lines(resources.reference_source()) - {line.strip() for line in starter.splitlines()}
+    assert len(own) > 50
+    assert own & {line.strip() for line in told.splitlines()} <= ANYWHERE
+
+
+def test_a_hidden_scene_of_a_course_is_not_in_it(
+    tmp_path: Path, cache: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Neither its model, nor its picture, nor its name; the course's other scene is."""
+    assert cache.is_dir()
+    scalar = Variant("scalar_rgb", None, "always works")
+    monkeypatch.setattr("grader.oracle.variant.working_variant", lambda: scalar)
+    render_scenes((), lambda _: None, own_folder(tmp_path))
+    # The built-in ones take long, and are looked at below.
+    monkeypatch.setattr(module, "scenes", lambda folder: scenes(folder) if folder else ())
+    rubric = tmp_path / "rubric.toml"
+    rubric.write_text(SHIPPED.read_text() + '\n[scenes]\nfolder = "ours"\n')
+    made = {one.name: one.data for one in members(Choices(rubric))}
+    assert {"exercise03/models/our-made.obj", "exercise03/models/our-made.png"} <= made.keys()
+    assert not [name for name, data in made.items() if "our-few" in name or b"our-few" in data]
 
 
 def test_every_visible_scene_comes_as_model_and_picture(handout: zipfile.ZipFile) -> None:

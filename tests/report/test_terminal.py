@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from grader.model.grade import Grade
+from grader.model.stages import Rejected
 from grader.report.failure import Occasion
 from tests.report import samples
 from tests.report.goldens import FOLDER, OCCASION, SCREENS, Screen, cases, printed
@@ -119,6 +120,20 @@ def test_a_hidden_check_is_not_offered_for_a_run_of_its_own() -> None:
     report = printed(samples.changed(c7=hidden), Screen()).decode()
     assert "closer hit" in report
     assert "--only hits.closest-wins" not in report
+
+
+def test_why_there_is_no_file_is_told_in_german() -> None:
+    """And so is what we remarked."""
+    german = replace(OCCASION, language="de")
+    refused = Rejected("ada", "no file is called exercise03.cpp; there is `no hit`")
+    told = printed(replace(samples.rejected(), submission=refused), Screen(), german).decode()
+    assert "keine Datei heißt exercise03.cpp; vorhanden ist `no hit`" in told
+    grade = samples.perfect()
+    assert grade.build is not None
+    remark = "it prints more than 64 KiB in one run; the rest was dropped"
+    noted = replace(grade, build=replace(grade.build, remarks=(remark,)))
+    told = printed(noted, Screen(), german).decode()
+    assert "sie gibt in einem Lauf mehr als 64 KiB aus; der Rest wurde verworfen." in told
 
 
 def test_an_isolated_run_is_not_called_unisolated() -> None:

@@ -12,6 +12,7 @@ from grader.report.class_row import (
     histogram,
     misconceptions,
     most_failed,
+    names_of,
 )
 from grader.report.escape import for_csv
 from grader.report.hints import told
@@ -72,7 +73,10 @@ def to_class_page(rows: Sequence[Row], footer: str, language: str) -> str:
             for cause, check, whose in misconceptions(rows)
         ],
         "checks": checks,
-        "rows": [_row(row, checks, words) for row in rows],
+        "rows": [
+            _row(row, name, checks, words)
+            for row, name in zip(rows, names_of(rows), strict=True)
+        ],
         "footer": footer,
     }
     return page("class", language, values, {"csv": csv_parts(rows)})
@@ -137,10 +141,10 @@ def _label(bar: Bar) -> str:
     return f"{bar.begin:g}" if bar.begin == bar.end else f"{bar.begin:g}\N{EN DASH}{bar.end:g}"
 
 
-def _row(row: Row, checks: Sequence[str], words: Words) -> dict[str, object]:
+def _row(row: Row, name: str, checks: Sequence[str], words: Words) -> dict[str, object]:
     known = dict(row.verdicts)
     return {
-        "name": row.name,
+        "name": name,
         "link": row.link,
         "note": row.note,
         "withheld": row.score is None,

@@ -11,6 +11,7 @@ from grader.report.hosts.told import VISIBLE, withheld
 from grader.report.html.findings import failures, idle_parts, points, spoken
 from grader.report.html.page import SIGNS, page
 from grader.report.html.seen import legends, models, pictures
+from grader.report.spoken import messages
 
 Json = Mapping[str, Any]
 
@@ -43,7 +44,7 @@ def to_html(result: Json, views: Json | None, language: str, hints: bool = True)
         "groups": groups(result, words),
         "pictures": pictures(seen, not wrong_pictures(result), words),
         "legends": legends(),
-        "messages": [message(one) for one in result["build"]["diagnostics"]],
+        "messages": [message(one) for one in messages(result, teller(language))],
         "facts": facts(result, words),
         "has_models": bool(shown),
     }

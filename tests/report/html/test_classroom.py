@@ -121,6 +121,19 @@ def test_only_a_misconception_of_several_is_one_of_the_class() -> None:
     assert misconceptions(rows) == [("y", CHECKS[3], ["b", "c"])]
 
 
+def test_namesakes_are_told_apart() -> None:
+    """By their ids, else by their folders; the table calls them as the list does."""
+    rows = [
+        replace(row("Ada", cause="takes the first hit"), id="u1", link="students/a-u1/x.html"),
+        replace(row("Ada", cause="takes the first hit"), link="students/ada/x.html"),
+        replace(row("Ada", cause="takes the first hit"), link="students/ada-3f/x.html"),
+    ]
+    ((_, _, whose),) = misconceptions(rows)
+    assert whose == ["Ada (u1)", "Ada (ada)", "Ada (ada-3f)"]
+    shown = Reader(to_class_page(rows, "", "en")).rows[1:]
+    assert [cells[0] for cells in shown] == whose
+
+
 def test_one_comment_is_for_all_who_believe_the_same() -> None:
     """The misconception and the question of its check; never what there is to write."""
     rows = [row(name, cause="A child gets the box of its parent.") for name in ("a", "b")]

@@ -1,0 +1,114 @@
+"""What `batch --regrade` does: who would change, and why, before anything does."""
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import click
+
+from grader.cli.classes import ended_early, say, told
+from grader.cli.live import shown_class
+from grader.cli.status import FULL_MARKS, OUR_FAULT
+from grader.errors import UsageError, WorkerFault
+from grader.report.escape import line_for_terminal
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping
+
+    from grader.batch.comparison import Change
+    from grader.batch.job import Job
+    from grader.batch.records import Student
+    from grader.batch.store import Store
+
+
+def regraded(job: "Job", apply: bool) -> int:
+    """Grade what the store holds with other settings; the exit status.
+
+    Raises:
+        UsageError: There is nothing to compare with.
+    """
+    from grader.batch.comparison import changes
+    from grader.batch.records import names_of
+    from grader.batch.runner import Batch
+    from grader.batch.store import opened_store
+
+    with opened_store(job.folder) as store:
+        before = store.current()
+        if before is None:
+            raise UsageError(f"{job.folder} holds no results yet; grade a class first")
+        if before == job.settings:
+            return finished(job, store, apply)
+        say("; ".join(before.changes(job.settings)))
+        store.know(job.settings)
+        with shown_class() as watch:
+            batch = Batch(job, store, watch)
+            try:
+                batch.grade()
+            except (WorkerFault, KeyboardInterrupt) as fault:
+                return ended_early(watch, fault)
+        names = names_of(store.students())
+        tell_changes(changes(store, before, job), names)
+        if missing := tell_missing(store.without_points(job.settings), names):
+            say(
+                f"{missing:,} not graded anew, so nothing was changed; the same command goes on"
+            )
+            return OUR_FAULT
+        if not apply:
+            say("nothing was changed; --apply makes it so")
+            return FULL_MARKS
+        store.make_current(job.settings)
+        batch.job = replace(job, preview=False)
+        return told(job, batch.write(), batch.troubles)
+
+
+def finished(job: "Job", store: "Store", apply: bool) -> int:
+    """Write what an earlier call with `--apply` did not come to; the exit status.
+
+    Raises:
+        UsageError: Nothing was asked for: these are the settings of the class.
+    """
+    from grader.batch.runner import Batch
+
+    if not apply:
+        raise UsageError(
+            f"{job.folder} holds results of these very settings; name what is new, or grade "
+            "the download again if something is withheld"
+        )
+    with shown_class() as watch:
+        batch = Batch(replace(job, preview=False), store, watch)
+        return told(job, batch.write(), batch.troubles)
+
+
+def tell_changes(
+    found: "Iterable[tuple[Student, Change | None]]", names: "Mapping[str, str]"
+) -> None:
+    """Say of everybody whose points or checks change what changes, and why.
+
+    Args:
+        found: Students, and what changes for them.
+        names: Of their folders.
+    """
+    from grader.batch.comparison import lines
+
+    same = 0
+    for student, change in found:
+        if change is None:
+            same += 1
+            continue
+        first, *checks = lines(change)
+        say(f"{names[student.slug]}: {first}")
+        for line in checks:
+            click.echo(f"    {line_for_terminal(line)}")
+    say(f"{same:,} stay as they are")
+
+
+def tell_missing(students: "Iterable[Student]", names: "Mapping[str, str]") -> int:
+    """Name everybody who could not be graded anew; how many there are."""
+    missing = list(students)
+    for student in missing:
+        unread = (
+            ""
+            if student.sha256
+            else ", since its file was never read; grade the download again"
+        )
+        say(f"{names[student.slug]}: not graded anew{unread}")
+    return len(missing)
