@@ -57,6 +57,9 @@ class _Room:
 class Live:
     """One living process; use it from one thread at a time."""
 
+    rows_done = 0
+    """How many rows it says it has done, as of the last `look`."""
+
     def __init__(self, job: Job, slot: int, engine: Engine, most_rays: int) -> None:
         """Start it.
 
@@ -90,9 +93,6 @@ class Live:
         os.set_blocking(self._ask, False)
         self._begin_turn()
         self._asked = 0
-        self.rows_done = 0
-        """How many rows it says it has done, as of the last `look`."""
-
         self._rows: deque[tuple[int, int]] = deque()
         """Number and rays of each row that is on its way."""
 
@@ -194,9 +194,7 @@ class Live:
         at = room.ray + number % MOST_ROWS * RAY_BYTES
         self._memory[at : at + RAY_BYTES] = ray.tobytes()
         self._memory[room.step_count : room.step_count + 8] = bytes(8)
-        self._send(
-            Op.RECORD, self._slot, at, room.hit, room.steps, MOST_STEPS, room.step_count
-        )
+        self._send(Op.RECORD, self._slot, at, room.hit, room.steps, MOST_STEPS, room.step_count)
         return number
 
     def walk(self) -> Walk:

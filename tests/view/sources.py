@@ -4,6 +4,7 @@ from grader import resources
 from tests.compiled import STARTER
 
 HERE = "    Intersection closest;\n"
+END = "    return closest;\n"
 AHEAD = "    *this = {};\n"
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from grader.model.mesh import Mesh
+from grader.model.mesh import Bvh, Mesh
 from grader.view.boxes import corners_of, count_of, deepest_of
 from grader.view.camera import orbit_around
 from grader.view.inspector import facts_of, judgement, next_of, picked
@@ -34,6 +34,40 @@ def test_a_loose_box_is_named_with_the_right_one() -> None:
     assert facts.right_box == pytest.approx([*TREE.low[4], *TREE.high[4]])
     assert len(facts.faults) == 1
     assert facts.faces.size == facts.end - facts.begin
+
+
+ROOT = "node 0: "
+TWICE = "is in faceIndices"
+
+
+@pytest.mark.parametrize(
+    ("bad", "told"),
+    [
+        (changed(TREE, "high", (0, 0), 99.0), [ROOT + "box"]),
+        (changed(TREE, "begin", 0, 1), [ROOT + "its range"]),
+        (changed(TREE, "order", 1, int(TREE.order[0])), [TWICE]),
+        (altered(TREE, order=[*TREE.order, 0]), ["faceIndices has more"]),
+    ],
+    ids=["box", "range", "twice", "more"],
+)
+def test_what_is_wrong_with_the_whole_is_told_of_the_root(bad: Bvh, told: list[str]) -> None:
+    """The rules of the root and of the face indices, in the words of the checks."""
+    known = judgement(MESH, bad)
+    assert 0 in known.every
+    facts = facts_of(MESH, bad, 0, known)
+    for text in told:
+        assert any(text in fault for fault in facts.faults), facts.faults
+
+
+def test_the_box_of_the_root_is_that_of_the_mesh() -> None:
+    """Also of vertices that no face uses."""
+    vertices = np.concatenate([MESH.vertices, np.full((1, 3), 50.0, np.float32)])
+    mesh = Mesh(vertices.astype(np.float32), MESH.faces)
+    whole = altered(TREE, high=np.concatenate([[[50.0] * 3], TREE.high[1:]]).astype(np.float32))
+    known = judgement(mesh, whole)
+    assert not known.every.size
+    assert facts_of(mesh, whole, 0, known).right_box == ()
+    assert facts_of(mesh, TREE, 0, judgement(mesh, TREE)).right_box[3:] == (50.0, 50.0, 50.0)
 
 
 def test_a_node_that_is_not_split_is_named() -> None:
