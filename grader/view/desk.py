@@ -174,6 +174,7 @@ class Desk:
     def compare(self, mode: Mode) -> None:
         """Choose what the right pane shows; the model solution is only run if it is wanted."""
         self.mode = mode
+        self._faults.pop("compare", None)
         if mode not in COMPARING or self.rival is not None or self.subject is None:
             return
         if self._model is not None:
@@ -190,7 +191,6 @@ class Desk:
         if isinstance(came, GraderError):
             self._faults["compare"] = came
             return True
-        self._faults.pop("compare", None)
         self._model = came
         self.compare(self.mode)
         return True

@@ -15,7 +15,7 @@ from grader.view.inspector import NodeFacts, some_faces
 from grader.view.picture import Shown, titles
 from grader.view.stage import State
 from grader.view.study import Study
-from grader.view.walking import cut_off, deepest_known, outcome_of
+from grader.view.walking import cut_off, deepest_known, outcome_of, right_of
 
 WIDTH = 300
 """Pixels at the usual size of letters."""
@@ -145,9 +145,8 @@ class Panel:
             imgui.text_wrapped(words("Click a pixel on the right to follow its ray."))
             return
         imgui.text(f"{walk.title}: {outcome_of(walk, words)}")
-        if walk.expected is not None:
-            right = f"{walk.expected:.6g}" if walk.expected < np.inf else words("no hit")
-            imgui.text(words("expected: {right}").format(right=right))
+        if right_of(walk, words):
+            imgui.text(right_of(walk, words))
         if walk.sentence:
             imgui.text_wrapped(walk.sentence)
         if imgui.arrow_button("###back", imgui.Dir.left):

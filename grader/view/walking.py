@@ -130,6 +130,14 @@ def outcome_of(walk: Walk, words: Words) -> str:
     return words("hit at t = {t}").format(t=f"{walk.found:.6g}")
 
 
+def right_of(walk: Walk, words: Words) -> str:
+    """Say what should have come of a ray; empty if that is not known."""
+    if walk.expected is None:
+        return ""
+    right = f"{walk.expected:.6g}" if walk.expected < np.inf else words("no hit")
+    return words("expected: {right}").format(right=right)
+
+
 def cut_off(walk: Walk, words: Words) -> str:
     """Say that only the first tests are told; empty if all are."""
     if len(walk.steps) >= walk.total:

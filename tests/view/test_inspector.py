@@ -1,13 +1,20 @@
 """What is wrong with a node is what the checks say of it."""
 
+from types import SimpleNamespace
+from typing import cast
+
 import numpy as np
 import pytest
 
 from grader.model.mesh import Bvh, Mesh
+from grader.view import judging as judging_module
 from grader.view.boxes import corners_of, count_of, deepest_of
 from grader.view.camera import orbit_around
 from grader.view.inspector import facts_of, judgement, next_of, picked
+from grader.view.judging import Judging
+from grader.view.stage import Stage
 from tests.verify.builder import altered, build, changed, soup
+from tests.view.shown import of_mesh, until
 
 MESH = soup(40)
 TREE = build(MESH)
@@ -88,6 +95,22 @@ def test_children_that_lose_faces_are_named() -> None:
     """The parent of a range that ends too early is wrong."""
     known = judgement(MESH, changed(TREE, "end", 2, int(TREE.end[2]) - 1))
     assert 0 in known.unparted
+
+
+def test_a_judge_who_fails_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The tree is shown all the same, and nobody says that nothing is wrong with it."""
+
+    def fails(*_: object) -> None:
+        raise MemoryError("no room")
+
+    monkeypatch.setattr(judging_module, "judgement", fails)
+    stage = cast("Stage", SimpleNamespace(subject=of_mesh(MESH), tree=TREE))
+    judging = Judging()
+    until(lambda: judging.known is not None, lambda: judging.advance(stage, wanted=True))
+    assert judging.known is not None
+    assert "MemoryError: no room" in judging.known.unreadable
+    assert facts_of(MESH, TREE, 0, judging.known).faults == (judging.known.unreadable,)
+    judging.close()
 
 
 def test_garbage_is_described_and_not_trusted() -> None:
