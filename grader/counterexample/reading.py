@@ -25,6 +25,9 @@ Item = TypeVar("Item")
 LARGEST = 1_000_000
 """Bytes; what is written has at most 900,000."""
 
+LONGEST = 400
+"""Characters of a check's message that are kept."""
+
 FLOAT_MAX = float(np.finfo(np.float32).max)
 MOST_VERTICES = 3 * MOST_FACES
 MOST_NODES = 2**21 - 1
@@ -49,6 +52,9 @@ class Content:
         if self.kind not in KINDS.values():
             refuse("kind", f"one of {', '.join(KINDS.values())}")
         self.name = text(given["name"], "name")
+        self.message = words(given["message"], "message")
+        """What the check said of it when it was found."""
+
         self.sanitized = flag(given["sanitized"], "sanitized")
         self.full_levels = flag(given["full_levels"], "full_levels")
         self.special = flag(given["special"], "special")
@@ -134,6 +140,13 @@ def text(given: object, place: str) -> str:
     if not isinstance(given, str) or len(given) > 200:
         refuse(place, "a text of at most 200 characters")
     return one_line(given)
+
+
+def words(given: object, place: str) -> str:
+    """Read what a check said, which is made harmless and cut if it is long."""
+    if not isinstance(given, str):
+        refuse(place, "a text")
+    return one_line(given, LONGEST)
 
 
 def flag(given: object, place: str) -> bool:

@@ -57,6 +57,9 @@ class _Room:
 class Live:
     """One living process; use it from one thread at a time."""
 
+    rows_done = 0
+    """How many rows it says it has done, as of the last `look`."""
+
     def __init__(self, job: Job, slot: int, engine: Engine, most_rays: int) -> None:
         """Start it.
 
@@ -74,7 +77,7 @@ class Live:
             hits=job.reserve(most_rays * HIT_BYTES),
             tests=job.reserve(most_rays * 8),
             done=job.reserve(MOST_ROWS * 8),
-            ray=job.reserve(RAY_BYTES),
+            ray=job.reserve(MOST_ROWS * RAY_BYTES),
             hit=job.reserve(HIT_BYTES),
             steps=job.reserve(MOST_STEPS * STEP_WORDS * 4),
             step_count=job.reserve(8),
@@ -114,10 +117,14 @@ class Live:
         """Whether it has done its job, and waits for rays."""
         return self.rows_done >= self._first_rows
 
-    @property
-    def rows_done(self) -> int:
-        """How many rows it says it has done."""
-        return min(self.result.number(16), self._first_rows + self._asked)
+    def look(self) -> None:
+        """Read how far it is.
+
+        The submission can write this number at any time. So it is read here alone, only grows,
+        and never beyond what was asked for: between two looks all answers fit together.
+        """
+        said = min(self.result.number(16), self._first_rows + self._asked)
+        self.rows_done = max(self.rows_done, said)
 
     @property
     def is_busy(self) -> bool:
@@ -182,13 +189,13 @@ class Live:
         Returns:
             Once `rows_done` is larger than this, `walk` reads it.
         """
-        room = self._room
-        self._memory[room.ray : room.ray + RAY_BYTES] = ray.tobytes()
+        room, number = self._room, self._first_rows + self._asked
+        # Each has a place of its own: the one before may still wait, and is not to become this.
+        at = room.ray + number % MOST_ROWS * RAY_BYTES
+        self._memory[at : at + RAY_BYTES] = ray.tobytes()
         self._memory[room.step_count : room.step_count + 8] = bytes(8)
-        self._send(
-            Op.RECORD, self._slot, room.ray, room.hit, room.steps, MOST_STEPS, room.step_count
-        )
-        return self._first_rows + self._asked - 1
+        self._send(Op.RECORD, self._slot, at, room.hit, room.steps, MOST_STEPS, room.step_count)
+        return number
 
     def walk(self) -> Walk:
         """Read the way that was asked for last."""

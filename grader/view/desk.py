@@ -1,10 +1,9 @@
 """Everything that the viewer knows, whoever shows it: a window, a page or a file.
 
 It is looked at many times a second and never waits: compiling and loading go on in threads, the
-submission in a process of its own. Whatever that does, the desk stays.
+submission in a process of its own. Whatever they do, the desk stays.
 """
 
-import threading
 from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import ExitStack
@@ -13,19 +12,20 @@ from enum import Enum
 from pathlib import Path
 
 from grader.errors import GraderError
-from grader.intake.saved import GLANCE_SECONDS, GONE, state_of
 from grader.model.mesh import Bvh, Mesh
 from grader.options import Options
+from grader.run.session import Engine
 from grader.sandbox.launch import start_again, stop_everything
 from grader.sandbox.nursery import Nursery
-from grader.sandbox.scratch import scratch_folder
 from grader.solution import Solution
+from grader.view.aside import outcome
 from grader.view.boxes import deepest_of
+from grader.view.builds import Builds
 from grader.view.camera import Orbit
 from grader.view.stage import Stage, State, fitting
 from grader.view.subject import Subject, of_scene, own_scenes
 from grader.view.thinned import thinned
-from grader.view.workshop import Product, built, our_own
+from grader.view.workshop import Product, our_own
 
 USUAL_LEVEL = 6
 
@@ -65,16 +65,14 @@ class Desk:
             first: Loads what is shown first.
         """
         self.path, self._options = path, options
-        self._held = ExitStack()
+        self._held, self._aside = ExitStack(), ThreadPoolExecutor(2)
         self._nursery = self._held.enter_context(Nursery())
-        self._workshop, self._next_workshop = ExitStack(), ExitStack()
-        """What the last build needs, and the one that is being made: a folder and boxes."""
-
-        self._aside = ThreadPoolExecutor(2)
-        self._over = threading.Event()
-        self._built_state = self._saved = GONE
+        self._builds = Builds(path, options, self._aside)
         self.product: Product | None = None
         """The last build; None as long as there is none."""
+
+        self._model: Engine | None = None
+        """The model solution's, once it was wanted."""
 
         self.subject: Subject | None = None
         self.light: Mesh | None = None
@@ -86,12 +84,11 @@ class Desk:
 
         self.orbit: Orbit | None = None
         self._faults: dict[str, GraderError] = {}
-        """By what could not be done: `load`, `build` or `run`."""
+        """By what could not be done: `load`, `build`, `compare` or `run`."""
 
-        threading.Thread(target=self._watch, daemon=True).start()
         self._loading: Future[tuple[Subject, Mesh]] | None = self._aside.submit(_loaded, first)
-        self._building: Future[Product] | None = None
         self._growing: Future[Bvh] | None = None
+        self._comparing: Future[Engine] | None = None
         self.rebuild()
 
     def __enter__(self) -> "Desk":
@@ -100,13 +97,13 @@ class Desk:
 
     def __exit__(self, *_: object) -> None:
         """End every process and thread."""
-        self._over.set()
+        self._builds.end()
         # Nobody waits for a compiler, or for a search, when the window is closed.
         stop_everything()
         self._aside.shutdown(wait=True, cancel_futures=True)
         self._clear()
-        for held in (self._next_workshop, self._workshop, self._held):
-            held.close()
+        self._builds.close()
+        self._held.close()
         start_again()
 
     def choose(self, load: Load) -> None:
@@ -119,10 +116,7 @@ class Desk:
 
     def rebuild(self) -> None:
         """Compile what lies there now."""
-        self._built_state = state_of(self.path)
-        folder = self._next_workshop.enter_context(scratch_folder())
-        nursery = self._next_workshop.enter_context(Nursery())
-        self._building = self._aside.submit(built, self.path, folder, nursery, self._options)
+        self._builds.begin()
 
     @property
     def fault(self) -> GraderError | None:
@@ -140,12 +134,12 @@ class Desk:
     @property
     def is_building(self) -> bool:
         """Whether it is being compiled."""
-        return self._building is not None
+        return self._builds.is_busy
 
     @property
     def is_loading(self) -> bool:
-        """Whether something else is being loaded."""
-        return self._loading is not None
+        """Whether something else is being loaded, or the model solution to compare with."""
+        return self._loading is not None or self._comparing is not None
 
     @property
     def deepest(self) -> int:
@@ -154,8 +148,8 @@ class Desk:
 
     def advance(self) -> bool:
         """Take what is finished; tells whether anything is to be shown anew."""
-        changed = self._take_subject() | self._take_product()
-        if self._saved not in (GONE, self._built_state) and not self.is_building:
+        changed = self._take_subject() | self._take_product() | self._take_model()
+        if self._builds.is_stale:
             self.rebuild()
             changed = True
         for stage in (self.stage, self.rival):
@@ -180,14 +174,26 @@ class Desk:
     def compare(self, mode: Mode) -> None:
         """Choose what the right pane shows; the model solution is only run if it is wanted."""
         self.mode = mode
-        if mode in COMPARING and self.rival is None and self.subject is not None:
-            try:
-                self.rival = Stage(self.subject, our_own(self._nursery))
-            except GraderError as fault:
-                self._faults["run"] = fault
-                return
+        self._faults.pop("compare", None)
+        if mode not in COMPARING or self.rival is not None or self.subject is None:
+            return
+        if self._model is not None:
+            self.rival = Stage(self.subject, self._model)
             if self.orbit is not None:
                 self.rival.show(self.orbit, *self.size)
+        elif self._comparing is None:
+            self._comparing = self._aside.submit(our_own, self._nursery)
+
+    def _take_model(self) -> bool:
+        if self._comparing is None or not self._comparing.done():
+            return False
+        came, self._comparing = outcome(self._comparing), None
+        if isinstance(came, GraderError):
+            self._faults["compare"] = came
+            return True
+        self._model = came
+        self.compare(self.mode)
+        return True
 
     def _advance(self, stage: Stage | None) -> bool:
         if stage is None:
@@ -211,15 +217,14 @@ class Desk:
             self._growing = self._aside.submit(lambda: Solution().trees([mesh])[0])
         if not self._growing.done():
             return False
-        growing, self._growing = self._growing, None
-        try:
-            subject = replace(stage.subject, tree=growing.result())
-        except GraderError as fault:
-            stage.in_construct, self._faults["run"] = False, fault
+        came, self._growing = outcome(self._growing), None
+        if isinstance(came, GraderError):
+            stage.in_construct, self._faults["run"] = False, came
             return True
         self._clear()
-        if self.product is not None and self.product.engine is not None:
-            self.stage = Stage(subject, self.product.engine, before=stage.trouble)
+        if self._builds.engine is not None:
+            subject = replace(stage.subject, tree=came)
+            self.stage = Stage(subject, self._builds.engine, before=stage.trouble)
             self.compare(self.mode)
             self._show()
         return True
@@ -232,42 +237,37 @@ class Desk:
     def _take_subject(self) -> bool:
         if self._loading is None or not self._loading.done():
             return False
-        loading, self._loading = self._loading, None
-        try:
-            self.subject, self.light = loading.result()
-        except GraderError as fault:
-            self._faults["load"] = fault
+        came, self._loading = outcome(self._loading), None
+        if isinstance(came, GraderError):
+            self._faults["load"] = came
             return True
         self._faults.pop("load", None)
+        self.subject, self.light = came
         self.orbit = self.subject.home
         self.subjects += 1
         self._restart()
         return True
 
     def _take_product(self) -> bool:
-        if self._building is None or not self._building.done():
-            return False
-        building, self._building = self._building, None
-        try:
-            self.product = building.result()
-        except GraderError as fault:
-            self._faults["build"] = fault
-            self._next_workshop.close()
-            return True
-        self._faults.pop("build", None)
-        self._restart()
-        # Only now nothing runs any more that was built before.
-        self._workshop.close()
-        self._workshop, self._next_workshop = self._next_workshop, ExitStack()
-        return True
+        came = self._builds.take()
+        if isinstance(came, GraderError):
+            self._faults["build"] = came
+        elif came is not None:
+            self._faults.pop("build", None)
+            self.product = came
+            # What does not compile leaves on the stage what did.
+            if came.engine is not None:
+                self._restart()
+                self._builds.settle()
+        return came is not None
 
     def _restart(self) -> None:
         """Have the submission begin anew with what is shown."""
         self._clear()
         self._faults.pop("run", None)
-        if self.subject is None or self.product is None or self.product.engine is None:
+        if self.subject is None or self._builds.engine is None:
             return
-        self.stage = Stage(self.subject, self.product.engine)
+        self.stage = Stage(self.subject, self._builds.engine)
         self.compare(self.mode)
         self._show()
 
@@ -276,15 +276,6 @@ class Desk:
             if stage is not None:
                 stage.close()
         self.stage = self.rival = self._growing = None
-
-    def _watch(self) -> None:
-        """Look at the file until the end; what is the same for two looks counts as saved."""
-        last = GONE
-        while not self._over.wait(GLANCE_SECONDS):
-            now = state_of(self.path)
-            if now == last:
-                self._saved = now
-            last = now
 
 
 def _loaded(load: Load) -> tuple[Subject, Mesh]:

@@ -7,13 +7,19 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from grader.model.cases import TreeCase
 from grader.model.mesh import Bvh, Doubles, FrozenArrays, Integers, Mask, Mesh
+from grader.model.trials import ConstructTrial
 from grader.tolerances import FACES_PER_LEAF
 from grader.verify.axis import judge
 from grader.verify.bounds import loose_nodes
 from grader.verify.check import vector
 from grader.verify.halves import splits
-from grader.verify.structure import unreadable
+from grader.verify.structure import (
+    face_indices_are_a_permutation,
+    root_holds_all_faces,
+    unreadable,
+)
 from grader.verify.tree import shape, spans
 from grader.view.boxes import MOST_BOXES, count_of
 from grader.view.camera import Orbit, rays_of
@@ -45,7 +51,10 @@ class Judgement(FrozenArrays):
     """They are divided along another axis than the longest."""
 
     every: Integers
-    """All of them."""
+    """All of them; the root, too, where something is wrong with the whole."""
+
+    whole: tuple[str, ...] = ()
+    """What is wrong with what the root holds, its box or the face indices; told of node 0."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -82,7 +91,7 @@ def judgement(mesh: Mesh, tree: Bvh) -> Judgement:
     example = unreadable(mesh, tree)
     if example is not None or not len(tree.end):
         text = example.message if example is not None else ""
-        return Judgement(text, *[NOTHING] * 6)
+        return unjudged(text)
     form, found = shape(tree), splits(mesh, tree)
     held = tree.end.astype(np.int64) - tree.begin
     unparted = form.inner[~form.parted[form.inner]]
@@ -93,7 +102,23 @@ def judgement(mesh: Mesh, tree: Bvh) -> Judgement:
     sideways = found.node[judge(mesh, tree, found).wrong]
     loose = loose_nodes(mesh, tree)
     parts = (loose, unparted, unsplit, lopsided, sideways)
-    return Judgement("", *parts, np.unique(np.concatenate(parts)))
+    whole = _whole(mesh, tree)
+    root = np.zeros(1 if whole else 0, np.int64)
+    return Judgement("", *parts, np.unique(np.concatenate([root, *parts])), whole)
+
+
+def unjudged(why: str) -> Judgement:
+    """Say why nothing can be said of the nodes; an empty reason if there are none."""
+    none = NOTHING
+    return Judgement(why, none, none, none, none, none, none)
+
+
+def _whole(mesh: Mesh, tree: Bvh) -> tuple[str, ...]:
+    """Word what the checks of the root and of the face indices say of a readable tree."""
+    case = TreeCase("", ConstructTrial("", mesh), tree)
+    checks = (root_holds_all_faces, face_indices_are_a_permutation)
+    found = [one.decide(case).examples for one in checks]
+    return tuple(examples[0].message for examples in found if examples)
 
 
 def facts_of(mesh: Mesh, tree: Bvh, node: int, known: Judgement | None) -> NodeFacts:
@@ -129,6 +154,9 @@ def facts_of(mesh: Mesh, tree: Bvh, node: int, known: Judgement | None) -> NodeF
 def _right_box(mesh: Mesh, tree: Bvh, node: int) -> tuple[float, ...]:
     true = spans(mesh, tree)
     low, high = true.low[node], true.high[node]
+    if node == 0 and len(mesh.faces):
+        # As its check has it: also of vertices that no face uses.
+        low, high = mesh.vertices.min(axis=0), mesh.vertices.max(axis=0)
     same = (tree.low[node] == low).all() and (tree.high[node] == high).all()
     return () if same or not np.isfinite(low).all() else tuple(map(float, (*low, *high)))
 
@@ -137,7 +165,7 @@ def _faults(tree: Bvh, node: int, known: Judgement, box: tuple[float, ...]) -> l
     """Word what is wrong with a node."""
     if known.unreadable:
         return [known.unreadable]
-    told = []
+    told = [] if node else list(known.whole)
     held = int(tree.end[node]) - int(tree.begin[node])
     if node in known.loose and box:
         told.append(f"its triangles span {vector(box[:3])} to {vector(box[3:])}")

@@ -106,4 +106,4 @@ def _searched(wish: Wish, check: str) -> Subject:
     found = [one.counterexample for one in grade.checks if one.check == check]
     if not found or found[0] is None:
         raise UsageError(f"{check}: there is no input that fails it")
-    return of_trial(check, found[0].trial)
+    return of_trial(check, found[0].trial, found[0].message)

@@ -11,6 +11,7 @@ import numpy as np
 from grader.model.mesh import Bvh, Doubles, Mesh
 from grader.view.camera import Orbit, frame_of, spread
 from grader.view.inspector import NodeFacts
+from grader.view.stage import Stage
 from grader.view.walking import Walk
 
 Colour = tuple[int, int, int]
@@ -37,6 +38,27 @@ class Stroke:
 
     colour: Colour
     width: float
+
+
+def of_both(
+    stage: Stage | None, facts: NodeFacts | None, walk: Walk | None, step: int
+) -> list[Stroke]:
+    """Draw a node and a ray of what is looked at, if there are any.
+
+    Args:
+        stage: What is looked at.
+        facts: The node.
+        walk: The ray.
+        step: How many of its steps are done.
+    """
+    if stage is None or stage.tree is None:
+        return []
+    mesh, found = stage.subject.mesh, list[Stroke]()
+    if facts is not None:
+        found += of_node(mesh, facts)
+    if walk is not None:
+        found += of_walk(mesh, stage.tree, walk, step, stage.subject.home.size)
+    return found
 
 
 def of_node(mesh: Mesh, facts: NodeFacts) -> Iterator[Stroke]:

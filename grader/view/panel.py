@@ -15,7 +15,7 @@ from grader.view.inspector import NodeFacts, some_faces
 from grader.view.picture import Shown, titles
 from grader.view.stage import State
 from grader.view.study import Study
-from grader.view.walking import cut_off, deepest_known
+from grader.view.walking import cut_off, deepest_known, outcome_of, right_of
 
 WIDTH = 300
 """Pixels at the usual size of letters."""
@@ -89,6 +89,8 @@ class Panel:
             imgui.text_wrapped(one_line(desk.product.refused))
             for each in desk.product.diagnostics[:8]:
                 imgui.text_wrapped(f"{each.line}: {one_line(each.text, 300)}")
+            if desk.stage is not None:
+                imgui.text_wrapped(words("what is shown is the last build that did"))
         if desk.stage is not None and desk.stage.trouble:
             imgui.push_style_color(imgui.Col_.text, BAD)
             imgui.text_wrapped(one_line(desk.stage.trouble, 300))
@@ -142,11 +144,9 @@ class Panel:
         if walk is None:
             imgui.text_wrapped(words("Click a pixel on the right to follow its ray."))
             return
-        hit = words("hit at t = {t}").format(t=f"{walk.found:.6g}")
-        imgui.text(f"{walk.title}: {hit if walk.found < np.inf else words('no hit')}")
-        if walk.expected is not None:
-            right = f"{walk.expected:.6g}" if walk.expected < np.inf else words("no hit")
-            imgui.text(words("expected: {right}").format(right=right))
+        imgui.text(f"{walk.title}: {outcome_of(walk, words)}")
+        if right_of(walk, words):
+            imgui.text(right_of(walk, words))
         if walk.sentence:
             imgui.text_wrapped(walk.sentence)
         if imgui.arrow_button("###back", imgui.Dir.left):

@@ -1,20 +1,35 @@
 """What does the right pane show of a desk? Colours, and the scale that belongs to them."""
 
 from dataclasses import dataclass
+from enum import Enum
 
 import numpy as np
 
 from grader.language import Words
-from grader.model.mesh import Bytes
+from grader.model.mesh import Bytes, Mask
 from grader.report.colours import HEAT
 from grader.view.desk import Desk, Mode
-from grader.view.shades import BACKGROUND, coloured, differing, heat
+from grader.view.inspector import next_of
+from grader.view.shades import BACKGROUND, coloured, differing, heat, is_hit
+from grader.view.stage import State
 from grader.view.traced import Traced
 
 BRIGHTEST = 99
 """Percentile of the cost at the bright end: a few rays cost ten times as much as all others."""
 
 WRONG = (250, 62, 62)
+
+SHADE = 8
+"""Steps of 255 by which the shades of two hits may be apart: rounded normals are not."""
+
+
+class Comparison(Enum):
+    """How far your picture and the model solution's are."""
+
+    GOES_ON = "goes on"
+    DONE = "done"
+    CUT_SHORT = "cut short"
+    """One of them never becomes whole."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,16 +75,85 @@ def shown(desk: Desk) -> Shown | None:
 
 
 def wrong_pixels(desk: Desk) -> np.ndarray | None:
-    """(H, W) bool, where both have painted and t differs; None if they are not comparable."""
+    """(H, W) bool, where both have painted and t or the shade differs.
+
+    The shade tells of the normal. None if the pictures are not comparable.
+    """
     if desk.stage is None or desk.rival is None:
         return None
     yours, ours = desk.stage.traced, desk.rival.traced
     if yours.t.shape != ours.t.shape or yours.orbit != ours.orbit:
         return None
-    apart = differing(yours.t, ours.t)
+    apart = differing(yours.t, ours.t) | _other_shade(yours, ours)
     # Blocks that not both have painted as finely are not comparable yet.
     fine = yours.fine & ours.fine
     return np.asarray(apart & fine)
+
+
+def _other_shade(yours: Traced, ours: Traced) -> Mask:
+    """(H, W) bool, where both hit something, but the normals are not alike."""
+    both = is_hit(yours.t) & is_hit(ours.t)
+    return np.asarray(both & (np.abs(yours.bright.astype(np.int16) - ours.bright) > SHADE))
+
+
+def next_wrong(desk: Desk, after: tuple[int, int]) -> tuple[int, int] | None:
+    """Return the next pixel that differs so far, from the start if need be.
+
+    Args:
+        desk: What is shown.
+        after: Column and row; negative to begin at the start.
+    """
+    mask = wrong_pixels(desk)
+    if mask is None:
+        return None
+    column, row = after
+    place = next_of(np.flatnonzero(mask), row * mask.shape[1] + column if column >= 0 else -1)
+    return (place % mask.shape[1], place // mask.shape[1]) if place >= 0 else None
+
+
+def comparison(desk: Desk) -> Comparison:
+    """Tell whether more pixels may still turn out to differ."""
+    stages = [one for one in (desk.stage, desk.rival) if one is not None]
+    if desk.is_loading or desk.is_building or desk.lacks_tree:
+        return Comparison.GOES_ON
+    if len(stages) < 2 or any(
+        one.state is State.ENDED and not one.traced.is_done for one in stages
+    ):
+        return Comparison.CUT_SHORT
+    done = all(one.traced.is_done for one in stages)
+    return Comparison.DONE if done else Comparison.GOES_ON
+
+
+def remark_of(state: Comparison, words: Words) -> str:
+    """Say that no pixel differs, as far as it is known."""
+    if state is Comparison.GOES_ON:
+        return words("looking for a pixel that differs ...")
+    if state is Comparison.CUT_SHORT:
+        return words("no pixel differs so far")
+    return words("no pixel differs")
+
+
+def compared(desk: Desk, pixel: tuple[int, int], words: Words) -> tuple[float | None, str]:
+    """Return the model solution's t of a pixel, and what else is wrong there.
+
+    Args:
+        desk: What is shown.
+        pixel: Column and row.
+        words: Translates our own texts.
+
+    Returns:
+        None and nothing, as long as that is not known.
+    """
+    if desk.stage is None or desk.rival is None:
+        return None, ""
+    yours, ours, place = desk.stage.traced, desk.rival.traced, pixel[::-1]
+    if ours.orbit != desk.orbit or ours.t.shape != desk.size[::-1] or not ours.fine[place]:
+        return None, ""
+    mask = wrong_pixels(desk)
+    note = ""
+    if mask is not None and mask[place] and not differing(yours.t, ours.t)[place]:
+        note = words("t is right, but the normal is not the model solution's")
+    return float(ours.t[place]), note
 
 
 def _costs(traced: Traced) -> Shown:

@@ -28,7 +28,7 @@ from grader.view.stage import State
 from grader.view.status import status
 from grader.view.study import Study
 from grader.view.subject import cube
-from grader.view.walking import Walk, cut_off, deepest_known
+from grader.view.walking import Walk, cut_off, deepest_known, outcome_of, right_of
 
 Json = dict[str, Any]
 
@@ -265,8 +265,8 @@ class Service:
             sentence=one_line(walk.sentence),
             steps=walk.steps,
         )
-        hit = words("hit at t = {t}").format(t=f"{walk.found:.6g}")
-        told = f"{walk.title}: {hit if walk.found < np.inf else words('no hit')}"
+        came = f"{walk.title}: {outcome_of(walk, words)}"
+        told = ", ".join(filter(None, (came, right_of(walk, words))))
         told = f"{told}. {made.sentence} {cut_off(walk, words)}".strip()
         return {**ray_json(made), "told": told, "total": walk.total}
 

@@ -4,7 +4,7 @@ import math
 import time
 from enum import Enum
 
-from grader.model.mesh import Bvh
+from grader.model.mesh import Bvh, Floats
 from grader.model.stages import Stop
 from grader.run.job import Job
 from grader.run.live import Live
@@ -60,6 +60,9 @@ class Stage:
         self.in_construct = False
         """Whether it ended before there was a tree."""
 
+        self._rays: dict[int, str] = {}
+        """Names of the rays whose way is asked for, by the number of their row."""
+
         self._begun = time.monotonic()
         self._hung = False
         job = Job()
@@ -84,6 +87,7 @@ class Stage:
             raise self.live.fault
         if self.state is State.ENDED:
             return False
+        self.live.look()
         if self.state is State.CONSTRUCTING:
             self._wait()
         painted = self.traced.advance()
@@ -98,6 +102,20 @@ class Stage:
         """Trace another picture; one that is too large is traced in fewer pixels."""
         if self.state is not State.ENDED:
             self.traced.begin(orbit, *fitting(width, height))
+
+    def record(self, ray: Floats, name: str) -> int:
+        """Ask for the way of one ray.
+
+        Args:
+            ray: (8,) float32.
+            name: What it is called, should the submission end in it.
+
+        Returns:
+            Its row, as `Live.record` has it.
+        """
+        row = self.live.record(ray)
+        self._rays[row] = name
+        return row
 
     @property
     def is_tracing(self) -> bool:
@@ -115,17 +133,24 @@ class Stage:
 
     def _wait(self) -> None:
         if self.live.is_ready:
-            if self.subject.tree is None:
-                self.tree = self._read(self.live.result)
-            self.state = State.TRACING
+            self._take_tree()
         elif time.monotonic() - self._begun > CONSTRUCT_PATIENCE:
             self._hung = True
             self.live.end()
+
+    def _take_tree(self) -> None:
+        if self.subject.tree is None:
+            self.tree = self._read(self.live.result)
+        self.state = State.TRACING
 
     def _note_end(self) -> None:
         ending = self.live.ending
         if ending is None:
             return
+        # Since the last look it may have come further.
+        self.live.look()
+        if self.state is State.CONSTRUCTING and self.live.is_ready:
+            self._take_tree()
         self.in_construct = self.state is State.CONSTRUCTING
         self.state = State.ENDED
         # Nobody asked it to end, however well it did.
@@ -135,5 +160,9 @@ class Stage:
         if self.in_construct:
             self.trouble = f"construct: {what}"
             return
+        self.trouble = f"intersect, {self._last_ray()}: {what}"
+
+    def _last_ray(self) -> str:
+        """Name the ray in which it ended: one that is followed, or the picture's next."""
         column, row = self.traced.now()
-        self.trouble = f"intersect, pixel ({column}, {row}): {what}"
+        return self._rays.get(self.live.rows_done, f"pixel ({column}, {row})")

@@ -17,6 +17,8 @@ def status(desk: Desk, words: Words) -> str:
         parts.append(words("compiling ..."))
     elif desk.product is not None and desk.product.engine is None:
         parts.append(words("It does not compile."))
+        if desk.stage is not None:
+            parts.append(words("what is shown is the last build that did"))
     if desk.subject is not None:
         parts.append(words("{faces} faces").format(faces=f"{len(desk.subject.mesh.faces):,}"))
     if desk.stage is not None:

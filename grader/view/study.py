@@ -1,35 +1,21 @@
 """What somebody looks at more closely: one node, or one ray and the nodes that it visits."""
 
-from concurrent.futures import Future, ThreadPoolExecutor
-from dataclasses import dataclass
-
 import numpy as np
 
 from grader.language import Words
-from grader.model.mesh import Bvh
-from grader.model.trials import Trial
 from grader.run.transfer import ray_table
+from grader.view.asked import within
 from grader.view.camera import rays_of
 from grader.view.desk import Desk, Mode
-from grader.view.inspector import Judgement, NodeFacts, facts_of, judgement, next_of, picked
-from grader.view.overlay import Stroke, of_node, of_walk
-from grader.view.picture import wrong_pixels
-from grader.view.shades import differing
+from grader.view.following import Following, Place, again
+from grader.view.inspector import Judgement, NodeFacts, facts_of, next_of, picked
+from grader.view.judging import Judging
+from grader.view.overlay import Stroke, of_both
+from grader.view.picture import Comparison, compared, comparison, next_wrong, remark_of
 from grader.view.stage import Stage, State
-from grader.view.walking import Followed, Walk, deepest_known, walk_of
-
-JUDGED_AT_ONCE = 50_000
-"""Faces of a mesh; the nodes of a larger tree are judged once somebody looks at one."""
-
-
-@dataclass(frozen=True, slots=True)
-class _Asked:
-    """A ray whose way was asked for."""
-
-    row: int
-    of: Followed
-    failing: bool
-    """Whether to go on to the next one if this one is right."""
+from grader.view.subject import told_of
+from grader.view.walking import Followed, Walk, deepest_known, expected_of, is_wrong, unanswered
+from grader.view.workshop import Product
 
 
 class Study:
@@ -43,15 +29,26 @@ class Study:
             words: Translates our own texts.
         """
         self._desk, self.words = desk, words
-        self._aside = ThreadPoolExecutor(1)
+        self._judging, self._following = Judging(), Following()
         self._stage: Stage | None = None
-        self._judging: Future[Judgement] | None = None
-        self._judged: Bvh | None = None
-        self._asked: _Asked | None = None
+        self._product: Product | None = None
+        self._place: Place | None = None
+        """To be looked at again, once the new process traces."""
+
         self._onward = False
+        """Whether to go to the next wrong node, once all are judged."""
+
+        self._hunting = False
+        """Whether to go to the next pixel that differs, once there is one."""
+
+        self._failing = False
+        """Whether to go on to the next given ray, if the one that is asked for is right."""
+
+        self._wished = False
+        """Whether somebody wished for that, and is told if there is none."""
+
         self._begun = False
         self._index = -1
-        self.judgement: Judgement | None = None
         self.facts: NodeFacts | None = None
         self.walk: Walk | None = None
         self.step = 0
@@ -63,24 +60,30 @@ class Study:
 
     def close(self) -> None:
         """End the thread."""
-        self._aside.shutdown(wait=True, cancel_futures=True)
+        self._judging.close()
+
+    @property
+    def judgement(self) -> Judgement | None:
+        """What is wrong with the tree; None if nobody has looked yet."""
+        return self._judging.known
 
     def advance(self) -> bool:
         """Take what is finished; tells whether anything is to be shown anew."""
         stage = self._desk.stage
         if stage is not self._stage:
-            self._stage = stage
-            self._forget()
+            self._renew(stage)
         if stage is None:
             return False
-        return self._judge(stage) | self._take_walk(stage) | self._begin(stage)
+        changed = self._judge(stage) | self._take_walk(stage)
+        return changed | self._return(stage) | self._begin(stage) | self._hunt()
 
     @property
     def is_busy(self) -> bool:
         """Whether something that was asked for is still to come."""
         stage = self._desk.stage
         begins = stage is not None and bool(stage.subject.check) and not self._begun
-        return begins or self._asked is not None or self._judging is not None
+        waits = self._following.is_waiting or self._judging.is_busy
+        return begins or waits or self._hunting
 
     def select(self, node: int) -> None:
         """Look at a node, if it exists."""
@@ -103,33 +106,23 @@ class Study:
         self.remark = ""
         if self.judgement is None:
             self._onward = True
-            return
-        if self.judgement.unreadable:
+        elif self.judgement.unreadable:
             self.remark = self.judgement.unreadable
-            return
-        node = next_of(self.judgement.every, self.facts.node if self.facts else -1)
-        if node < 0:
+        elif not self._to_wrong_node():
             self.remark = self.words("no node is wrong")
-            return
-        self.select(node)
-        if self.facts is not None:
-            self._desk.level = max(self._desk.level, min(self.facts.level, self._desk.deepest))
 
     def follow(self, pixel: tuple[int, int]) -> None:
         """Follow the ray of a pixel of the right pane."""
         desk = self._desk
-        self.remark = ""
+        self.remark, self._hunting = "", False
         if desk.orbit is None:
             return
-        width, height = desk.size
-        column = min(max(pixel[0], 0), width - 1)
-        row = min(max(pixel[1], 0), height - 1)
-        ray = rays_of(desk.orbit, width, height, np.array([row * width + column]))[0]
-        self.pixel = column, row
-        self._ask(
-            Followed(ray, self.words("pixel ({column}, {row})").format(column=column, row=row)),
-            failing=False,
-        )
+        self.pixel = within(pixel, desk.size)
+        column, row = self.pixel
+        ray = rays_of(desk.orbit, *desk.size, np.array([row * desk.size[0] + column]))[0]
+        title = self.words("pixel ({column}, {row})").format(column=column, row=row)
+        expected, note = compared(desk, self.pixel, self.words)
+        self._ask(Followed(ray, title, expected=expected, note=note), failing=False)
 
     def next_ray(self) -> None:
         """Follow the next ray whose result is wrong."""
@@ -138,19 +131,13 @@ class Study:
         if stage is None:
             return
         if stage.subject.rays is not None:
-            self._follow_given(self._index + 1, failing=True)
+            self._next_given(stage)
             return
-        desk = self._desk
-        if desk.mode is not Mode.DIFFERENCE:
-            desk.compare(Mode.DIFFERENCE)
-        mask = wrong_pixels(desk)
-        wrong = np.zeros(0, np.int64) if mask is None else np.flatnonzero(mask)
-        column, row = self.pixel
-        place = next_of(wrong, row * desk.size[0] + column if column >= 0 else -1)
-        if place < 0:
-            self.remark = self.words("no pixel differs so far")
-            return
-        self.follow((place % desk.size[0], place // desk.size[0]))
+        if self._desk.mode is not Mode.DIFFERENCE:
+            self._desk.compare(Mode.DIFFERENCE)
+        self._hunting = True
+        self.remark = remark_of(Comparison.GOES_ON, self.words)
+        self._hunt()
 
     def walk_to(self, step: int) -> None:
         """Show the steps of the ray up to one."""
@@ -162,40 +149,45 @@ class Study:
 
     def strokes(self) -> list[Stroke]:
         """What is to be drawn over the left pane, in space."""
-        stage = self._stage
-        if stage is None or stage.tree is None:
-            return []
-        found: list[Stroke] = []
-        mesh = stage.subject.mesh
-        if self.facts is not None:
-            found += of_node(mesh, self.facts)
-        if self.walk is not None:
-            size = stage.subject.home.size
-            found += of_walk(mesh, stage.tree, self.walk, self.step, size)
-        return found
+        return of_both(self._stage, self.facts, self.walk, self.step)
 
-    @property
-    def _trial(self) -> Trial | None:
-        return self._stage.subject.trial if self._stage else None
+    def _renew(self, stage: Stage | None) -> None:
+        """Forget what another process told; keep where one was, if it has the same mesh."""
+        old, product = self._stage, self._desk.product
+        ray = self._following.last
+        if self.walk is not None and not self.walk.came_back and product is self._product:
+            # The same build would only end in it again.
+            ray = None
+        node = self.facts.node if self.facts else -1
+        if old is not None and (ray is not None or node >= 0):
+            self._place = Place(old.subject.mesh, node, ray)
+        self._stage, self._product = stage, product
+        if self._place and (stage is None or self._place.mesh is not stage.subject.mesh):
+            self._place = None
+        self._judging.forget()
+        self._following.forget()
+        self._begun = self._hunting = self._onward = False
+        self.facts, self.walk, self.step, self.remark = None, None, 0, ""
+        if self._place is None:
+            self.pixel, self._index = (-1, -1), -1
 
-    def _forget(self) -> None:
-        self._judging = self._judged = self._asked = None
-        self._begun = False
-        self._index = -1
-        self.judgement, self.facts, self.walk, self.step = None, None, None, 0
-        self.pixel, self.remark = (-1, -1), ""
+    def _return(self, stage: Stage) -> bool:
+        """Look at what one looked at before."""
+        place = self._place
+        if place is None or stage.state is not State.TRACING:
+            return False
+        self._place, self._begun = None, True
+        self.remark = told_of(stage.subject, self.words)
+        if place.node >= 0:
+            self.select(place.node)
+        if place.ray is not None:
+            self._ask(again(place.ray), failing=False)
+        return True
 
     def _judge(self, stage: Stage) -> bool:
         """Judge the submission's own tree aside; ours needs no judge."""
-        small = len(stage.subject.mesh.faces) <= JUDGED_AT_ONCE
-        wanted = small or self._onward or self.facts is not None
-        if stage.tree is not None and self._judged is not stage.tree and wanted:
-            self._judged = stage.tree
-            self._judging = self._aside.submit(judgement, stage.subject.mesh, stage.tree)
-        if self._judging is None or not self._judging.done():
+        if not self._judging.advance(stage, self._onward or self.facts is not None):
             return False
-        judging, self._judging = self._judging, None
-        self.judgement = judging.result()
         if self.facts is not None:
             self.select(self.facts.node)
         if self._onward:
@@ -203,68 +195,101 @@ class Study:
             self.next_node()
         return True
 
-    def _begin(self, stage: Stage) -> bool:
-        """Show at once what a counterexample is about."""
-        if self._begun or stage.state is not State.TRACING or not stage.subject.check:
+    def _to_wrong_node(self) -> bool:
+        """Look at the next wrong node; tells whether there is one."""
+        known = self.judgement
+        node = -1
+        if known is not None:
+            node = next_of(known.every, self.facts.node if self.facts else -1)
+        if node < 0:
             return False
-        if stage.subject.rays is not None:
-            self._begun = True
-            self._follow_given(0, failing=True)
-            return True
-        if self.judgement is None:
-            return False
-        self._begun = True
-        self.next_node()
+        self.select(node)
+        if self.facts is not None:
+            self._desk.level = max(self._desk.level, min(self.facts.level, self._desk.deepest))
         return True
 
-    def _follow_given(self, index: int, failing: bool) -> bool:
+    def _begin(self, stage: Stage) -> bool:
+        """Show at once what a counterexample is about."""
+        if self._begun or not stage.subject.check or stage.state is State.CONSTRUCTING:
+            return False
+        if stage.subject.rays is not None:
+            self._wished = False
+            self._follow_given(stage, 0, failing=True)
+        elif stage.tree is not None:
+            if self.judgement is None:
+                return False
+            if not self._to_wrong_node():
+                self.select(0)
+        self._begun = True
+        self.remark = told_of(stage.subject, self.words)
+        return True
+
+    def _hunt(self) -> bool:
+        """Follow the next pixel that differs, once there is one."""
+        if not self._hunting:
+            return False
+        desk = self._desk
+        pixel = next_wrong(desk, self.pixel)
+        if pixel is not None:
+            self.follow(pixel)
+            return True
+        state = comparison(desk)
+        if state is Comparison.GOES_ON:
+            return False
+        self._hunting = False
+        self.remark = remark_of(state, self.words)
+        return True
+
+    def _next_given(self, stage: Stage) -> None:
+        """Follow the next wrong ray of a counterexample; of unknown ones simply the next."""
+        last = self._following.last
+        known = last is not None and expected_of(last) is not None
+        self._wished = True
+        if not self._follow_given(stage, self._index + 1, failing=known):
+            self._pass_last(known)
+            if not known:
+                self._follow_given(stage, 0, failing=False)
+
+    def _pass_last(self, known: bool) -> None:
+        """Begin with the first ray the next time."""
+        self._index = -1
+        if known and self._wished:
+            self.remark = self.words("no further ray is wrong")
+
+    def _follow_given(self, stage: Stage, index: int, failing: bool) -> bool:
         """Follow a ray of the counterexample; tells whether there is one."""
-        stage = self._stage
-        if stage is None or stage.subject.rays is None:
+        if stage.subject.rays is None:
             return False
         table = ray_table(stage.subject.rays)
         if index >= len(table):
-            self._index = -1
-            self.remark = self.words("no further ray is wrong")
             return False
         self._index, self.pixel = index, (-1, -1)
-        self._ask(
-            Followed(
-                table[index], self.words("ray {index}").format(index=index), self._trial, index
-            ),
-            failing,
-        )
+        title = self.words("ray {index}").format(index=index)
+        self._ask(Followed(table[index], title, stage.subject.trial, index), failing)
         return True
 
     def _ask(self, of: Followed, failing: bool) -> None:
         stage = self._stage
         if stage is None:
             return
-        if stage.state is State.ENDED:
+        self._failing = failing
+        if not self._following.ask(stage, of) and stage.state is State.ENDED:
             self.remark = self.words("your program has ended, so no ray can be followed")
-        if stage.state is not State.TRACING:
-            return
-        self._asked = _Asked(stage.live.record(of.ray), of, failing)
+            self.walk, self.step = unanswered(of), 0
 
     def _take_walk(self, stage: Stage) -> bool:
-        asked = self._asked
-        if asked is None or stage.tree is None or stage.live.rows_done <= asked.row:
+        came = self._following.take(stage)
+        if came is None:
             return False
-        self._asked = None
-        walk = walk_of(stage.subject.mesh, stage.tree, stage.live.walk(), asked.of)
-        rays = stage.subject.rays
-        onward = asked.failing and rays is not None and not _is_wrong(walk)
-        if onward and self._follow_given(asked.of.index + 1, failing=True):
-            return False
+        of, walk = came
+        onward = self._failing and walk.expected is not None and not is_wrong(walk)
+        if onward and not self._follow_given(stage, of.index + 1, failing=True):
+            self._pass_last(known=True)
+        # Until a wrong one is found, the first is better than none.
+        if onward and self.walk is not None:
+            return True
         self.walk = walk
         self.walk_to(deepest_known(walk) + 1)
         if walk.lost >= 0:
             self.select(walk.lost)
         return True
-
-
-def _is_wrong(walk: Walk) -> bool:
-    if walk.expected is None:
-        return False
-    pair = np.array([[walk.found], [walk.expected]], np.float32)
-    return bool(differing(pair[0], pair[1])[0])

@@ -6,10 +6,12 @@ from pathlib import Path
 import numpy as np
 
 from grader.errors import UsageError
+from grader.language import Words
 from grader.model.mesh import Bvh, FrozenArrays, Mesh, Rays
 from grader.model.scene import Scene
 from grader.model.trials import ConstructTrial, RebuildTrial, Trial
 from grader.options import Options
+from grader.plain import one_line
 from grader.view.camera import Orbit, orbit_around, orbit_of
 
 ALBEDO = (0.75, 0.72, 0.64)
@@ -40,6 +42,9 @@ class Subject(FrozenArrays):
 
     check: str = ""
     """Id of the check that it fails; empty if it is none."""
+
+    told: str = ""
+    """What the check said of a counterexample when it was found; a stranger's words."""
 
     scene: Scene | None = None
     """The stored scene, with Mitsuba's picture of it; None if it is none."""
@@ -103,17 +108,18 @@ def of_scene(name: str, own: Path | None = None) -> Subject:
     return Subject(name, scene.title, mesh, home, scene.albedo, scene=scene)
 
 
-def of_trial(check: str, trial: Trial) -> Subject:
+def of_trial(check: str, trial: Trial, told: str = "") -> Subject:
     """Show what a counterexample asks.
 
     Args:
         check: Id of the check that fails.
         trial: Its input.
+        told: What the check said of it.
     """
     if isinstance(trial, RebuildTrial):
-        asked = _asked(check, trial, trial.first)
+        asked = _asked(check, trial, trial.first, told)
         return replace(asked, before=(trial.first, trial.second))
-    asked = _asked(check, trial, trial.mesh)
+    asked = _asked(check, trial, trial.mesh, told)
     if isinstance(trial, ConstructTrial):
         return asked
     return replace(asked, tree=trial.tree, rays=trial.rays)
@@ -131,13 +137,25 @@ def of_file(path: Path) -> Subject:
         from grader.counterexample.revived import trial_of
 
         content = read(path)
-        return of_trial(content.check, trial_of(content))
+        return of_trial(content.check, trial_of(content), content.message)
     if path.suffix.lower() in (".obj", ".ply", ".stl", ".off"):
         from grader.oracle.imported import read_model
 
         mesh, _ = read_model(path)
         return Subject(path.stem, path.stem, mesh, around(mesh))
     raise UsageError(f"{path}: a mesh (.obj, .ply) or a counterexample (.json) was expected")
+
+
+def told_of(subject: Subject, words: Words) -> str:
+    """Say what the check said of a counterexample, which may have been of another build."""
+    if not subject.told:
+        return ""
+    text = words("{check}, when this was found: {message}")
+    told = text.format(check=one_line(subject.check), message=one_line(subject.told))
+    if getattr(subject.trial, "sanitized", False):
+        other = words("That was a build with sanitizers, which is not the one that runs here.")
+        told = f"{told} ({other})"
+    return told
 
 
 def extent(mesh: Mesh) -> float:
@@ -166,5 +184,5 @@ def cube(mesh: Mesh) -> tuple[np.ndarray, float]:
     return (low + high) / 2, 2 / (float((high - low).max()) or 1.0)
 
 
-def _asked(check: str, trial: Trial, mesh: Mesh) -> Subject:
-    return Subject(check, check, mesh, around(mesh), trial=trial, check=check)
+def _asked(check: str, trial: Trial, mesh: Mesh, told: str) -> Subject:
+    return Subject(check, check, mesh, around(mesh), trial=trial, check=check, told=told)

@@ -104,12 +104,17 @@ class Traced:
         # The batch that is being traced ends soon; then the new picture can begin at once, also
         # for somebody who looks only now and then and goes on turning.
         end = time.monotonic() + BATCH_PATIENCE
+        self._live.look()
         while self._live.is_ready and self._live.is_busy and time.monotonic() < end:
             time.sleep(0.001)
+            self._live.look()
         self.advance()
 
     def advance(self) -> bool:
-        """Ask for more, and take what came; tells whether anything was painted."""
+        """Ask for more, and take what came; tells whether anything was painted.
+
+        How far the process is was looked at before, once for everything.
+        """
         live = self._live
         now = time.monotonic()
         self._unheard += min(now - self._looked, LONGEST_LOOK)
@@ -133,7 +138,12 @@ class Traced:
         return self._unheard > PATIENCE
 
     def pixel_of(self, place: int) -> tuple[int, int]:
-        """Return column and row of the pixel whose ray has a place in the turn."""
+        """Return column and row of the pixel whose ray has a place in the turn.
+
+        Without a picture it is the first pixel.
+        """
+        if not self._levels:
+            return 0, 0
         level = next((one for one in self._levels if place < one.past), self._levels[-1])
         row, column = divmod(min(place, level.past - 1) - level.first, level.columns)
         middle = level.block // 2

@@ -136,7 +136,7 @@ class Window:
         stage = self.desk.stage
         tracing = stage is not None and stage.is_tracing
         # While something is loaded or compiled, ten frames a second leave it the processor.
-        return bool(tracing or not panes.is_settled)
+        return bool(tracing or self.study.is_busy or not panes.is_settled)
 
     def _keys(self, imgui: ModuleType, panes: Panes) -> None:
         act(imgui, self.study, self._reset)

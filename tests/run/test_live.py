@@ -36,16 +36,17 @@ def live(reference: Engine) -> Iterator[Live]:
     job.do(Op.CONSTRUCT, slot, slot)
     read_tree(job, slot, MESH)
     made = Live(job, slot, reference, COUNT)
-    wait(lambda: made.is_ready)
+    wait(made, lambda: made.is_ready)
     yield made
     made.close()
 
 
-def wait(holds: Callable[[], bool]) -> None:
-    """Wait until something holds."""
+def wait(live: Live, holds: Callable[[], bool]) -> None:
+    """Look until something holds."""
     end = time.monotonic() + 240
     while not holds():
         assert time.monotonic() < end
+        live.look()
         time.sleep(0.002)
 
 
@@ -54,7 +55,7 @@ def test_batches_bring_what_one_job_brings(live: Live, reference: Engine) -> Non
     table = ray_table(rays())
     for first in range(0, COUNT, 30):
         live.trace(table[first : first + 30], first)
-    wait(lambda: live.rays_done() == COUNT)
+    wait(live, lambda: live.rays_done() == COUNT)
     hits, tests = live.hits(0, COUNT)
     job = Job()
     slot = give_mesh(job, MESH)
@@ -74,11 +75,11 @@ def test_a_turn_that_is_over_is_skipped(live: Live) -> None:
     table = ray_table(rays())
     live.trace(table, 0)
     live.turn()
-    wait(lambda: not live.is_busy)
+    wait(live, lambda: not live.is_busy)
     live.clear()
     assert live.rays_done() == 0
     live.trace(table[:7], 0)
-    wait(lambda: not live.is_busy)
+    wait(live, lambda: not live.is_busy)
     assert live.rays_done() == 7
 
 
@@ -87,7 +88,7 @@ def test_the_way_of_a_ray_is_told(live: Live) -> None:
     table = ray_table(rays())
     live.trace(table, 0)
     row = live.record(table[3])
-    wait(lambda: live.rows_done > row)
+    wait(live, lambda: live.rows_done > row)
     walk = live.walk()
     assert walk.total == len(walk.is_box) > 0
     assert walk.node[0] == 0
@@ -100,3 +101,35 @@ def test_it_ends_when_it_is_told_to(live: Live) -> None:
     assert live.ending is not None
     assert live.ending.stop is Stop.TIMED_OUT
     assert live.fault is None
+
+
+def test_a_counter_that_flips_only_grows(live: Live, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The submission can write it: what was done stays done, and no more than was asked for."""
+    live.trace(ray_table(rays()), 0)
+    said = iter([2**60, 0, 2**63, 0])  # each look takes one
+    counted = live.result.number
+    monkeypatch.setattr(
+        live.result, "number", lambda at: next(said) if at == 16 else counted(at)
+    )
+    live.look()
+    done = live.rows_done
+    assert not live.is_busy
+    live.clear()
+    live.look()
+    assert live.rows_done == done
+    assert live.record(ray_table(rays())[0]) == done
+    live.look()
+    assert live.rows_done == done + 1
+    live.look()
+    assert live.rows_done == done + 1
+
+
+def test_two_rays_that_wait_stay_two(live: Live) -> None:
+    """The second does not take the place of the first, whose row has not been reached."""
+    table = ray_table(rays())
+    one, other = live._room.ray, live._first_rows
+    rows = [live.record(table[0]), live.record(table[1])]
+    assert rows == [other, other + 1]
+    wait(live, lambda: live.rows_done > rows[-1])
+    kept = live.result.array(one + other * 32, 16, np.float32).reshape(2, 8)
+    assert (kept == table[:2]).all()

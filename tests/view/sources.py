@@ -4,6 +4,7 @@ from grader import resources
 from tests.compiled import STARTER
 
 HERE = "    Intersection closest;\n"
+END = "    return closest;\n"
 AHEAD = "    *this = {};\n"
 
 
@@ -31,6 +32,11 @@ CRASH = "*reinterpret_cast<volatile int*>(sizeof(char) - 1) = 1;"
 HANG = "for (volatile bool on = true; on;) {}"
 CRASHES_AT_THE_RIGHT = tracing(f"{RIGHT} {{ {CRASH} }}")
 HANGS_AT_THE_RIGHT = tracing(f"{RIGHT} {{ {HANG} }}")
+STEEP = "if (ray.direction.y > 5.0f)"
+"""Of no picture, whose directions have length 1."""
+
+CRASHES_AT_STEEP_RAYS = tracing(f"{STEEP} {{ {CRASH} }}")
+HANGS_AT_STEEP_RAYS = tracing(f"{STEEP} {{ {HANG} }}")
 CRASHES_IN_CONSTRUCT = constructing(CRASH)
 THROWS = tracing('throw "on purpose";')
 LEAVES = tracing(f"{RIGHT} {{ std::exit(0); }}")

@@ -25,6 +25,7 @@ class StandIn:
     """Takes the place of a desk, and remembers what was chosen."""
 
     stage: Any = None
+    rival: Any = None
     size = 8, 8
 
     def __init__(self) -> None:
@@ -100,6 +101,16 @@ def test_a_click_after_the_end_is_answered() -> None:
     study.follow((1, 1))
     assert "has ended" in study.remark
     study.close()
+
+
+def test_a_window_is_drawn_at_full_speed_as_long_as_something_is_looked_for() -> None:
+    """The rays of a counterexample are passed over one in each frame."""
+    window = window_on(StandIn())
+    panes = cast("Panes", SimpleNamespace(is_settled=True))
+    assert not window._is_busy(panes)
+    window.study._hunting = True
+    assert window._is_busy(panes)
+    window.study.close()
 
 
 def test_a_long_way_says_where_it_is_cut_off() -> None:

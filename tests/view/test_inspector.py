@@ -1,13 +1,20 @@
 """What is wrong with a node is what the checks say of it."""
 
+from types import SimpleNamespace
+from typing import cast
+
 import numpy as np
 import pytest
 
-from grader.model.mesh import Mesh
+from grader.model.mesh import Bvh, Mesh
+from grader.view import judging as judging_module
 from grader.view.boxes import corners_of, count_of, deepest_of
 from grader.view.camera import orbit_around
 from grader.view.inspector import facts_of, judgement, next_of, picked
+from grader.view.judging import Judging
+from grader.view.stage import Stage
 from tests.verify.builder import altered, build, changed, soup
+from tests.view.shown import of_mesh, until
 
 MESH = soup(40)
 TREE = build(MESH)
@@ -36,6 +43,40 @@ def test_a_loose_box_is_named_with_the_right_one() -> None:
     assert facts.faces.size == facts.end - facts.begin
 
 
+ROOT = "node 0: "
+TWICE = "is in faceIndices"
+
+
+@pytest.mark.parametrize(
+    ("bad", "told"),
+    [
+        (changed(TREE, "high", (0, 0), 99.0), [ROOT + "box"]),
+        (changed(TREE, "begin", 0, 1), [ROOT + "its range"]),
+        (changed(TREE, "order", 1, int(TREE.order[0])), [TWICE]),
+        (altered(TREE, order=[*TREE.order, 0]), ["faceIndices has more"]),
+    ],
+    ids=["box", "range", "twice", "more"],
+)
+def test_what_is_wrong_with_the_whole_is_told_of_the_root(bad: Bvh, told: list[str]) -> None:
+    """The rules of the root and of the face indices, in the words of the checks."""
+    known = judgement(MESH, bad)
+    assert 0 in known.every
+    facts = facts_of(MESH, bad, 0, known)
+    for text in told:
+        assert any(text in fault for fault in facts.faults), facts.faults
+
+
+def test_the_box_of_the_root_is_that_of_the_mesh() -> None:
+    """Also of vertices that no face uses."""
+    vertices = np.concatenate([MESH.vertices, np.full((1, 3), 50.0, np.float32)])
+    mesh = Mesh(vertices.astype(np.float32), MESH.faces)
+    whole = altered(TREE, high=np.concatenate([[[50.0] * 3], TREE.high[1:]]).astype(np.float32))
+    known = judgement(mesh, whole)
+    assert not known.every.size
+    assert facts_of(mesh, whole, 0, known).right_box == ()
+    assert facts_of(mesh, TREE, 0, judgement(mesh, TREE)).right_box[3:] == (50.0, 50.0, 50.0)
+
+
 def test_a_node_that_is_not_split_is_named() -> None:
     """A tree that is one node has too many faces in it."""
     one = altered(
@@ -54,6 +95,22 @@ def test_children_that_lose_faces_are_named() -> None:
     """The parent of a range that ends too early is wrong."""
     known = judgement(MESH, changed(TREE, "end", 2, int(TREE.end[2]) - 1))
     assert 0 in known.unparted
+
+
+def test_a_judge_who_fails_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The tree is shown all the same, and nobody says that nothing is wrong with it."""
+
+    def fails(*_: object) -> None:
+        raise MemoryError("no room")
+
+    monkeypatch.setattr(judging_module, "judgement", fails)
+    stage = cast("Stage", SimpleNamespace(subject=of_mesh(MESH), tree=TREE))
+    judging = Judging()
+    until(lambda: judging.known is not None, lambda: judging.advance(stage, wanted=True))
+    assert judging.known is not None
+    assert "MemoryError: no room" in judging.known.unreadable
+    assert facts_of(MESH, TREE, 0, judging.known).faults == (judging.known.unreadable,)
+    judging.close()
 
 
 def test_garbage_is_described_and_not_trusted() -> None:

@@ -1,5 +1,9 @@
 """Whatever a submission does, the stage stays and says what happened."""
 
+import re
+from itertools import count
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -8,9 +12,11 @@ from grader.oracle.meshes import mesh_named
 from grader.run.session import Engine
 from grader.view import stage as stage_module
 from grader.view import traced as traced_module
+from grader.view.camera import rays_of
 from grader.view.levels import levels_of
 from grader.view.shades import differing, is_hit
 from grader.view.stage import MOST_PIXELS, MOST_RAYS, State, fitting
+from grader.view.subject import Subject
 from tests.verify.builder import build
 from tests.view import sources
 from tests.view.conftest import Compiled, Staged
@@ -112,9 +118,80 @@ def test_the_end_of_a_process_names_its_pixel(
     finished(stage)
     assert stage.state is State.ENDED
     assert told in stage.trouble
-    column, row = stage.traced.now()
-    assert f"({column}, {row})" in stage.trouble
+    named = re.match(r"intersect, pixel \((\d+), (\d+)\): ", stage.trouble)
+    assert named is not None
+    column, row = map(int, named.groups())
+    assert fatal(subject, row * SIDE + column).all()
+    painted = np.flatnonzero(stage.traced.fine)
+    assert not fatal(subject, painted).any()
     assert not stage.advance()
+
+
+def fatal(subject: Subject, pixels: Any) -> np.ndarray:  # noqa: ANN401 - one or several
+    """Tell of pixels whether their rays are those that end the process."""
+    rays = rays_of(subject.home, SIDE, SIDE, np.atleast_1d(pixels))
+    return np.asarray(rays[:, 3] > np.float32(-0.35))
+
+
+def steep() -> np.ndarray:
+    """Make a ray that no picture has."""
+    return np.array([0, 0, -9, 0, 7, 0, 0, np.inf], np.float32)
+
+
+@pytest.mark.parametrize("first", ["picture", "ray"])
+def test_the_end_in_a_ray_that_is_followed_names_it(
+    compiled: Compiled, staged: Staged, first: str
+) -> None:
+    """No pixel is blamed, whether the picture is done or still to come."""
+    subject = confetti()
+    stage = staged(subject, compiled(sources.CRASHES_AT_STEEP_RAYS))
+    if first == "picture":
+        stage.show(subject.home, SIDE, SIDE)
+        finished(stage)
+        assert stage.state is State.TRACING
+    until(lambda: stage.state is State.TRACING, stage.advance)
+    stage.record(rays_of(subject.home, SIDE, SIDE, np.array([3]))[0], "harmless")
+    stage.record(steep(), "ray 7")
+    stage.record(steep(), "too late")
+    until(lambda: stage.state is State.ENDED, stage.advance)
+    assert stage.trouble.startswith("intersect, ray 7: ")
+    assert "SIGSEGV" in stage.trouble
+
+
+def test_a_hang_in_a_ray_that_is_followed_names_it(
+    compiled: Compiled, staged: Staged, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It is stopped like any other."""
+    monkeypatch.setattr(traced_module, "PATIENCE", 0.5)
+    subject = confetti()
+    stage = staged(subject, compiled(sources.HANGS_AT_STEEP_RAYS))
+    until(lambda: stage.state is State.TRACING, stage.advance)
+    stage.record(steep(), "ray 7")
+    until(lambda: stage.state is State.ENDED, stage.advance)
+    assert stage.trouble == "intersect, ray 7: did not come back and was stopped"
+
+
+def test_a_counter_that_flips_ends_nothing(
+    right: Engine, staged: Staged, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Whoever changes how far it says it is gets another picture, and no exception."""
+    subject = confetti()
+    stage = staged(subject, right)
+    assert stage.traced.now() == (0, 0)
+    counted, asked = stage.live.result.number, count()
+    monkeypatch.setattr(
+        stage.live.result,
+        "number",
+        lambda at: (0, 2**62, counted(at))[next(asked) % 3] if at == 16 else counted(at),
+    )
+    for turn in range(60):
+        if turn % 5 == 0:
+            stage.show(subject.home.turned(0.1 * turn, 0), SIDE, SIDE)
+        stage.advance()
+        assert min(stage.traced.now()) >= 0
+    stage.show(subject.home, SIDE, SIDE)
+    finished(stage)
+    assert stage.state is State.TRACING
 
 
 def test_an_exception_is_told(compiled: Compiled, staged: Staged) -> None:

@@ -24,17 +24,22 @@ from grader.options import Options
 from grader.oracle.balanced import balanced_tree
 from grader.oracle.brute import answers
 from grader.oracle.meshes import mesh_named
-from grader.view.desk import Desk
+from grader.run.transfer import ray_table
+from grader.view.desk import Desk, Mode
 from grader.view.panes import pixel_at
+from grader.view.picture import shown
 from grader.view.screenshot import wait
+from grader.view.status import status
 from grader.view.study import Study
-from grader.view.subject import Subject, of_file, of_trial
-from grader.view.walking import expected_of
+from grader.view.subject import Subject, of_file, of_trial, told_of
+from grader.view.walking import Followed, expected_of, is_wrong, outcome_of
 from tests.verify.builder import build, soup
 from tests.view import sources
 from tests.view.shown import confetti, until
 
 OPTIONS = Options(41, None, (), silent, isolated=False)
+MESSAGE = "what the check said \x1b of it"
+REMARK = "hits.closest-wins, when this was found: what the check said \\x1b of it"
 MESH, OTHER = soup(30), soup(12, seed=5)
 
 
@@ -81,7 +86,7 @@ def trials() -> list[Trial]:
 def stored(trial: Trial, folder: Path) -> Subject:
     """Write a counterexample as the grader does, and open the file."""
     rays = 0 if isinstance(trial, ConstructTrial | RebuildTrial) else len(trial.rays.t_min)
-    found = Counterexample("hits.closest-wins", trial, 30, rays, trial.name, "", "", "")
+    found = Counterexample("hits.closest-wins", trial, 30, rays, trial.name, MESSAGE, "", "")
     file = folder / "found.json"
     file.write_text(to_text(found))
     return of_file(file)
@@ -95,9 +100,22 @@ def file(cache: Path, tmp_path: Path) -> Path:
     return path
 
 
+def told_rightly(study: Study, judged: bool) -> None:
+    """Hold what is said of a ray against which ones the submission loses."""
+    lost = np.flatnonzero(aimed(MESH).direction[:, 1] > middle())
+    assert study.walk is not None
+    assert study.walk.came_back
+    assert study.walk.title == f"ray {lost[0] if judged else 0}"
+    assert is_wrong(study.walk) == judged
+    assert (study.walk.expected is not None) == judged
+
+
 @pytest.mark.parametrize("trial", trials(), ids=lambda one: one.name)
 def test_every_kind_opens_from_its_file(trial: Trial, file: Path, tmp_path: Path) -> None:
-    """What is stored is shown: a mesh, a tree, and a ray if there is one."""
+    """What is stored is shown: a mesh, a tree, a ray if there is one, and the check's words.
+
+    Nothing else is said to be right or wrong that is not seen to be so.
+    """
     if isinstance(trial, ConstructTrial) and not len(trial.mesh.faces):
         subject = of_trial("bvh.survives-every-mesh", trial)
     else:
@@ -109,12 +127,77 @@ def test_every_kind_opens_from_its_file(trial: Trial, file: Path, tmp_path: Path
         assert desk.stage is not None
         assert desk.stage.tree is not None
         assert not desk.stage.trouble
+        assert study.remark == (REMARK if subject.told else "")
+        assert not study.is_busy
         if subject.rays is not None:
-            assert study.walk is not None
+            told_rightly(study, judged=not isinstance(trial, WorkTrial))
         elif len(subject.mesh.faces):
             assert study.facts is not None
             assert study.facts.node == 0
-            assert study.facts.faults
+            assert "faces, but it is not split" in study.facts.faults[-1]
+        study.close()
+
+
+@pytest.mark.parametrize("kind", [TraceTrial, WorkTrial, RepeatTrial, ConstructTrial])
+def test_where_nothing_is_wrong_any_more_that_is_not_taken_for_news(
+    kind: type, file: Path, tmp_path: Path
+) -> None:
+    """The first ray or the root is shown with the check's words; who asks is told the rest."""
+    file.write_text(sources.reference())
+    subject = stored(next(one for one in trials() if isinstance(one, kind)), tmp_path)
+    with Desk(file, OPTIONS, lambda: subject) as desk:
+        study = Study(desk)
+        desk.resize(8, 8)
+        wait(desk, study)
+        assert study.remark == REMARK
+        if subject.rays is None:
+            assert study.facts is not None
+            assert study.facts.node == 0
+            study.next_node()
+            assert study.remark == "no node is wrong"
+        else:
+            assert study.walk is not None
+            assert study.walk.title == "ray 0"
+            study.next_ray()
+            until(lambda: not study.is_busy, lambda: desk.advance() | study.advance())
+            judged = kind is not WorkTrial
+            assert study.remark == ("no further ray is wrong" if judged else "")
+            assert study.walk.title == ("ray 0" if judged else "ray 1")
+        study.close()
+
+
+def test_a_build_with_sanitizers_is_not_this_one() -> None:
+    """So what was found there may not be seen here, and that is said."""
+    trial = ConstructTrial("small", MESH, sanitized=True)
+    told = told_of(
+        of_trial("bvh.depth-is-limited", trial, "the deepest node is on level 9"), str
+    )
+    assert "level 9" in told
+    assert "sanitizers" in told
+
+
+def test_a_ray_that_ends_the_process_is_named_and_drawn(file: Path) -> None:
+    """Not a pixel, and without steps; the next build follows the same ray."""
+    trial = next(one for one in trials() if isinstance(one, TraceTrial))
+    file.write_text(sources.tracing(f"if (ray.origin.x == -6.0f) {{ {sources.CRASH} }}"))
+    subject = of_trial("hits.survives-every-ray", trial, MESSAGE)
+    with Desk(file, OPTIONS, lambda: subject) as desk:
+        study = Study(desk)
+        wait(desk, study)
+        assert desk.stage is not None
+        assert desk.stage.trouble.startswith("intersect, ray 0: ")
+        assert study.walk is not None
+        assert study.walk.title == "ray 0"
+        assert outcome_of(study.walk, str) == "no answer"
+        assert study.strokes()
+        assert "when this was found" in study.remark
+        file.write_text(sources.reference())
+        until(
+            lambda: study.walk is not None and study.walk.came_back,
+            lambda: desk.advance() | study.advance(),
+        )
+        assert study.walk.title == "ray 0"
+        assert not is_wrong(study.walk)
         study.close()
 
 
@@ -133,7 +216,11 @@ def test_the_first_wrong_ray_is_followed(file: Path, tmp_path: Path) -> None:
     """Rays that are right are passed over; what was lost, and where, is told."""
     trial = next(one for one in trials() if isinstance(one, TraceTrial))
     lost = np.flatnonzero(trial.rays.direction[:, 1] > middle())
-    first = next(ray for ray in lost.tolist() if expected_of(trial, ray) < np.inf)
+    table = ray_table(trial.rays)
+    known = [expected_of(Followed(table[ray], "", trial, ray)) for ray in lost.tolist()]
+    first = next(
+        ray for ray, t in zip(lost.tolist(), known, strict=True) if t is not None and t < np.inf
+    )
     with Desk(file, OPTIONS, lambda: of_trial("hits.closest-wins", trial)) as desk:
         study = Study(desk)
         wait(desk, study)
@@ -151,15 +238,93 @@ def test_the_submission_is_built_anew_when_it_is_saved(file: Path) -> None:
     with Desk(file, OPTIONS, lambda: of_trial("x", trials()[3])) as desk:
         study = Study(desk)
         wait(desk, study)
+        before = desk.stage
         file.write_text("oops")
         until(lambda: desk.product is not None and desk.product.engine is None, desk.advance)
         assert desk.product is not None
         assert desk.product.diagnostics
+        assert desk.stage is before
+        assert desk.stage is not None
+        assert desk.stage.tree is not None
+        assert "the last build that did" in status(desk, str)
         file.write_text(sources.reference())
         until(
             lambda: desk.product is not None and desk.product.engine is not None, desk.advance
         )
         until(lambda: desk.stage is not None and desk.stage.traced.is_done, desk.advance)
+        study.close()
+
+
+def test_after_a_save_one_looks_at_the_same(file: Path) -> None:
+    """The same node and the same ray, whatever was compiled in between."""
+    with Desk(file, OPTIONS, confetti) as desk:
+        study = Study(desk)
+        desk.resize(24, 24)
+        wait(desk, study)
+        study.select(0)
+        study.follow((12, 11))
+        until(lambda: study.walk is not None, lambda: desk.advance() | study.advance())
+        assert study.walk is not None
+        old, ray = desk.stage, study.walk.ray
+        file.write_text(sources.reference())
+        until(
+            lambda: desk.stage is not old and study.walk is not None and not study.is_busy,
+            lambda: desk.advance() | study.advance(),
+        )
+        assert study.walk.title == "pixel (12, 11)"
+        assert (study.walk.ray == ray).all()
+        assert study.pixel == (12, 11)
+        assert study.facts is not None
+        desk.choose(lambda: confetti(30))
+        until(lambda: desk.subjects == 2, lambda: desk.advance() | study.advance())
+        study.advance()
+        assert not any((study.walk, study.facts))
+        assert study.pixel == (-1, -1)
+        study.close()
+
+
+def test_the_next_failing_ray_comes_by_itself(file: Path) -> None:
+    """Also if nothing was compared before; it is told where the model solution hits."""
+    with Desk(file, OPTIONS, confetti) as desk:
+        study = Study(desk)
+        desk.resize(24, 24)
+        wait(desk, study)
+        study.next_ray()
+        assert "looking" in study.remark
+        until(lambda: not study.is_busy, lambda: desk.advance() | study.advance())
+        assert desk.mode is Mode.DIFFERENCE
+        assert not study.remark
+        assert study.walk is not None
+        assert study.walk.expected is not None
+        assert is_wrong(study.walk)
+        study.close()
+
+
+@pytest.mark.parametrize("turns", [False, True], ids=["right", "turned"])
+def test_wrong_normals_differ(file: Path, turns: bool) -> None:
+    """A picture of right distances is right only if its shades are, too."""
+    source = sources.given()
+    if turns:
+        source = source.replace(
+            sources.END, f"    closest.normal = {{1, 0, 0}};\n{sources.END}"
+        )
+    file.write_text(source)
+    with Desk(file, OPTIONS, confetti) as desk:
+        study = Study(desk)
+        desk.resize(24, 24)
+        wait(desk, study)
+        study.next_ray()
+        until(lambda: not study.is_busy, lambda: desk.advance() | study.advance())
+        if turns:
+            assert study.walk is not None
+            assert not is_wrong(study.walk)
+            assert "normal" in study.walk.sentence
+        else:
+            assert study.remark == "no pixel differs"
+        wait(desk, study)
+        seen = shown(desk)
+        assert seen is not None
+        assert (seen.wrong > 0) == turns
         study.close()
 
 
