@@ -25,7 +25,7 @@ from grader.view.inspector import NodeFacts, some_faces
 from grader.view.picture import Shown, shown
 from grader.view.remote import home_of, orbit_at
 from grader.view.stage import State
-from grader.view.status import status
+from grader.view.status import is_vain, status
 from grader.view.study import Study
 from grader.view.walking import Walk, cut_off, deepest_known
 
@@ -71,7 +71,7 @@ class Service:
 
     def serve(self) -> None:
         """Answer until it is over."""
-        while not self.is_over:
+        while not self.is_over and not is_vain(self._desk):
             begun: Future[Any] = Future()
             self._answer(self.advance, begun)
             fault = begun.exception()
@@ -120,7 +120,7 @@ class Service:
             "status": status(desk, self._words),
             "trouble": self._trouble(),
             "ended": desk.stage is not None and desk.stage.state is State.ENDED,
-            "remark": one_line(study.remark),
+            "remark": one_line(study.remark or (desk.subject.origin if desk.subject else "")),
             "subject": desk.subjects,
             "tree": self._trees,
             "scene": desk.subject.name if desk.subject else "",
