@@ -140,8 +140,12 @@ class Hands:
         """Look where the buttons end."""
         window = ctx.get_window_by_ref("//Main window (title bar invisible)")
         names = ("###scene", "###level", "###next-node", "###next-ray", "###reset", "###save")
-        right = [ctx.item_info(name).rect_full.max.x for name in names]
-        return {"right": max(right), "room": window.pos.x + window.size.x}
+        ends = [ctx.item_info(name).rect_full.max for name in names]
+        return {
+            "right": max(end.x for end in ends),
+            "room": window.pos.x + window.size.x,
+            "rows": len({end.y for end in ends}),
+        }
 
     def counterexample(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401 - ImGui's own
         """Ask for the next wrong ray and node, and step."""
@@ -263,7 +267,7 @@ def main(file: Path, told: Path, deeds: list[str]) -> None:
         hands = Hands(window, file)
         params = runner(window, "test")
         if narrow:
-            params.app_window_params.window_geometry.size = (1366, 700)
+            params.app_window_params.window_geometry.size = (900, 700)
         params.callbacks.show_gui = hands.frame
         testing.run(
             test_function=lambda ctx: hands.work(ctx, deeds),

@@ -79,6 +79,7 @@ def test_a_file_that_cannot_be_shown_leaves_what_there_is(tmp_path: Path) -> Non
     text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
     (tmp_path / "one.obj").write_text(text)
     source = tmp_path / "a.cpp"
+    source.write_text("")
     with Desk(source, Options(41, None, (), silent, isolated=False), confetti) as desk:
         study = Study(desk)
         window = Window(desk, study, [], str)
