@@ -106,10 +106,9 @@ def select(
         UsageError: The rubric is wrong, or an id does not exist or is hidden.
     """
     rubric, checks = load_rubric(rubric_path), every_check()
-    known = [criterion.check for criterion in rubric.criteria]
     hidden = _hidden(rubric, checks) if for_student else frozenset()
     for id in only:
-        _require_shown(id, known, hidden)
+        _require_shown(rubric_path, id, hidden)
     shown = [criterion for criterion in rubric.criteria if criterion.check not in hidden]
     if not shown:
         raise UsageError("the rubric hides every check, so there is nothing to run")
@@ -144,11 +143,26 @@ def quickest(rubric_path: Path | None, for_student: bool) -> tuple[str, ...]:
     return quick_checks([criterion.check for criterion in rubric.criteria])
 
 
-def _require_shown(id: str, known: Sequence[str], hidden: frozenset[str]) -> None:
-    """Accept only a check that can be run."""
+def require_check(rubric_path: Path | None, id: str, option: str) -> None:
+    """Accept only a check of a rubric.
+
+    Args:
+        rubric_path: The instructor's rubric; None for the shipped one.
+        id: Of the check.
+        option: That named it.
+
+    Raises:
+        UsageError: The rubric is wrong, or has no such check.
+    """
+    known = [criterion.check for criterion in load_rubric(rubric_path).criteria]
     if id not in known:
         near = ", ".join(difflib.get_close_matches(id, known, 3, 0.3)) or ", ".join(known)
-        raise UsageError(f"--only {id}: there is no such check, but perhaps {near}")
+        raise UsageError(f"{option} {id}: there is no such check, but perhaps {near}")
+
+
+def _require_shown(rubric_path: Path | None, id: str, hidden: frozenset[str]) -> None:
+    """Accept only a check that can be run."""
+    require_check(rubric_path, id, "--only")
     if id in hidden:
         raise UsageError(f"--only {id}: the rubric hides this check, so it is not run here")
 

@@ -19,7 +19,7 @@ from grader.errors import UsageError
 from grader.language import translator, usual_language
 
 NOT_WHOLE = 1
-"""Status after a picture that the submission did not finish."""
+"""Status after a picture that the submission did not finish, or could not begin."""
 
 
 @click.command()
@@ -41,8 +41,8 @@ def view(submission: Path, web: bool, **given: Any) -> None:  # noqa: ANN401 - c
 
     Needs pip install "bvhgrade[view]", but for --web.
 
-    Exit status: 0 closed, 1 the submission ended before its picture in a file was whole,
-    2 wrong usage, 3 nothing can be shown.
+    Exit status: 0 closed, 1 the submission does not compile, or ended before its picture in a
+    file was whole, 2 wrong usage, or a check that does not fail, 3 nothing can be shown.
     """
     from grader.options import Options
     from grader.view.opening import Wish, opening

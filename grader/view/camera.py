@@ -78,7 +78,7 @@ def orbit_of(camera: SceneCamera, size: float) -> Orbit:
     up = _unit(np.array(camera.up, np.float64))
     away = np.array(camera.origin, np.float64) - np.array(camera.target, np.float64)
     distance = float(np.linalg.norm(away))
-    east, north = _across(up)
+    east, north = across(up)
     return Orbit(
         target=camera.target,
         up=_triple(up),
@@ -104,7 +104,7 @@ def orbit_around(low: Doubles, high: Doubles) -> Orbit:
 def frame_of(orbit: Orbit) -> Frame:
     """Return the camera's axes; the last ones are kept, because they are asked for again."""
     up = np.array(orbit.up)
-    east, north = _across(up)
+    east, north = across(up)
     level = np.sin(orbit.yaw) * east + np.cos(orbit.yaw) * north
     back = np.cos(orbit.pitch) * level + np.sin(orbit.pitch) * up
     right = _unit(np.cross(up, back))
@@ -162,7 +162,7 @@ def projection(orbit: Orbit, width: int, height: int) -> Floats:
     return (lens @ view / orbit.distance).astype(np.float32)
 
 
-def _across(up: Doubles) -> tuple[Doubles, Doubles]:
+def across(up: Doubles) -> tuple[Doubles, Doubles]:
     """Return two unit vectors that span the plane across a unit vector, `east x north = up`."""
     # With y up, north is z and east is x, as in the report.
     seed = np.array([0.0, 0.0, 1.0]) if abs(up[2]) < 0.9 else np.array([0.0, -1.0, 0.0])

@@ -1,13 +1,16 @@
 """What is opened, and where: a window, a page or a file."""
 
 from dataclasses import dataclass, replace
+from datetime import datetime
 from pathlib import Path
 
 from grader.errors import UsageError
 from grader.language import Words
 from grader.options import Options
 from grader.report.facts import counterexample_file
+from grader.selection import require_check
 from grader.view.desk import Desk, Load
+from grader.view.status import is_vain
 from grader.view.study import Study
 from grader.view.subject import (
     Subject,
@@ -71,6 +74,8 @@ def _shown(wish: Wish, study: Study, desk: Desk, web: bool, picture: Path | None
         from grader.view.window import Window, opened
 
         opened(Window(desk, study, names, wish.words), f"bvhgrade view {wish.path.name}")
+    if is_vain(desk) and desk.fault is not None:
+        raise desk.fault
     return ""
 
 
@@ -78,28 +83,38 @@ def wanted(wish: Wish) -> Load:
     """Say what is shown first.
 
     Raises:
-        UsageError: There is no such scene or check, or it does not fail.
+        UsageError: There is no such scene, check or counterexample.
     """
     if wish.check is None:
         name, own = wish.scene or USUAL_SCENE, own_scenes(wish.options)
         scene_folder(name, own)
         return lambda: of_scene(name, own)
     if wish.check.endswith(".json"):
-        return _opened(Path(wish.check))
+        named = of_file(Path(wish.check))
+        return lambda: named
+    require_check(wish.options.rubric, wish.check, "--check")
     for folder in (wish.path, wish.path.parent / RESULTS, Path(RESULTS)):
         file = folder / counterexample_file(wish.check)
         if file.is_file():
-            return _opened(file)
+            found = _found(file, wish.words)
+            return lambda: found
     return lambda: _searched(wish, wish.check or "")
 
 
-def _opened(file: Path) -> Load:
-    subject = of_file(file)
-    return lambda: subject
+def _found(file: Path, words: Words) -> Subject:
+    """Open a counterexample that lies there, and say so: it may be an old one."""
+    written = datetime.fromtimestamp(file.stat().st_mtime)
+    text = words("The counterexample is {file} of {when}.")
+    told = text.format(file=file, when=f"{written:%Y-%m-%d %H:%M}")
+    return replace(of_file(file), origin=told)
 
 
 def _searched(wish: Wish, check: str) -> Subject:
-    """Grade for this check alone, and show the smallest input that fails it."""
+    """Grade for this check alone, and show the smallest input that fails it.
+
+    Raises:
+        UsageError: It does not fail.
+    """
     from grader.pipeline import grade_one
 
     grade = grade_one(wish.path, replace(wish.options, only=(check,), counterexamples=True))

@@ -20,6 +20,8 @@ from grader.view.walking import cut_off, deepest_known, outcome_of, right_of
 WIDTH = 300
 """Pixels at the usual size of letters."""
 
+USUAL_FONT = 15
+
 SCALE_STOPS = 24
 GOOD, BAD, SOFT = (0.5, 0.85, 0.6, 1.0), (1.0, 0.45, 0.4, 1.0), (0.65, 0.68, 0.72, 1.0)
 
@@ -97,7 +99,9 @@ class Panel:
             imgui.pop_style_color()
             if desk.stage.state is State.ENDED and imgui.button(words("Run it again")):
                 desk.run_again()
-        for text in (self._study.remark, self.remark):
+        origin = desk.subject.origin if desk.subject else ""
+        fault = str(desk.fault or "")
+        for text in (fault, self._study.remark, self.remark, origin):
             if text:
                 imgui.text_wrapped(one_line(text, 300))
 
@@ -178,6 +182,11 @@ class Panel:
             if imgui.selectable(f"{name}: {end}{mark}##{place}", place == study.step - 1)[0]:
                 study.walk_to(place + 1)
         imgui.end_child()
+
+
+def scaled(imgui: ModuleType, width: float) -> float:
+    """Return a width for letters of the size that they have, instead of the usual one."""
+    return float(width * imgui.get_font_size() / USUAL_FONT)
 
 
 def colour_of(imgui: ModuleType, rgb: tuple[int, int, int] | np.ndarray) -> int:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from grader.errors import MissingTool, OutputFault, UsageError
+from grader.errors import MissingTool, OutputFault
 from grader.model.mesh import Bytes
 from grader.view.desk import COMPARING, Desk
 from grader.view.needed import INSTALL
@@ -36,17 +36,20 @@ def screenshot(desk: Desk, study: Study, path: Path) -> str:
     """Draw both panes into a PNG, as soon as everything is traced.
 
     Returns:
-        What the submission did, if the picture is not all its own; otherwise empty.
+        What the submission did, if the picture is not all its own, or why there is none;
+        otherwise empty.
 
     Raises:
-        UsageError: The submission does not compile, or nothing can be loaded.
+        UsageError: Nothing can be loaded.
         MissingTool: There is no OpenGL.
         OutputFault: The file cannot be written.
         GraderError: Our own fault; nothing is concluded about the submission.
     """
     context = surfaceless()
     desk.resize(*SIZE)
-    wait(desk, study)
+    refused = wait(desk, study)
+    if refused:
+        return refused
     save(panes(desk, study, Preview(context)), path)
     return desk.stage.trouble if desk.stage else ""
 
@@ -72,11 +75,14 @@ def surfaceless() -> "moderngl.Context":
         raise MissingTool(message) from fault
 
 
-def wait(desk: Desk, study: Study) -> None:
+def wait(desk: Desk, study: Study) -> str:
     """Wait until there is nothing more to come.
 
+    Returns:
+        Why there is no program; empty if there is one.
+
     Raises:
-        UsageError: The submission does not compile, or nothing can be loaded.
+        UsageError: Nothing can be loaded.
         GraderError: Our own fault.
     """
     while not _is_done(desk, study):
@@ -86,8 +92,9 @@ def wait(desk: Desk, study: Study) -> None:
             raise desk.fault
         product = desk.product
         if product is not None and product.engine is None:
-            reason = product.refused or "it does not compile; bvhgrade check says why"
-            raise UsageError(f"{desk.path}: {reason}")
+            said = [f"{one.line}: {one.text}" for one in product.diagnostics[:1]]
+            return product.refused or " ".join([study.words("It does not compile."), *said])
+    return ""
 
 
 def _is_done(desk: Desk, study: Study) -> bool:

@@ -7,8 +7,10 @@ cannot forge by giving its own name our address.
 
 import json
 import secrets
+import socket
 import threading
 from collections.abc import Sequence
+from contextlib import suppress
 from functools import partial
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from typing import Any
@@ -18,6 +20,7 @@ import click
 
 from grader.errors import UsageError
 from grader.language import Words, usual_language
+from grader.plain import one_line
 from grader.report.html.page import page
 from grader.view.asked import Unanswered
 from grader.view.desk import Desk
@@ -29,6 +32,12 @@ HERE = "127.0.0.1"
 NAMES = (HERE, "localhost")
 LARGEST = 64 << 10
 """Bytes of a question."""
+
+IDLE_SECONDS = 30.0
+"""How long a connection may say nothing; the page of a tab in front asks all the time."""
+
+MOST_STRANGERS = 32
+"""Connections at once that have not named the secret."""
 
 
 def served(desk: Desk, study: Study, scenes: Sequence[str], words: Words) -> None:
@@ -99,9 +108,42 @@ class Door:
 
 
 class _Server(ThreadingHTTPServer):
-    """Answers every connection in a thread of its own."""
+    """Answers every connection in a thread of its own.
+
+    Any user of this machine can connect: of those who have not named the secret, only the last
+    ones stay.
+    """
 
     daemon_threads = True
+    request_queue_size = MOST_STRANGERS
+
+    def __init__(self, *given: Any) -> None:  # noqa: ANN401 - http.server's own
+        self._strangers: dict[socket.socket, None] = {}
+        self._lock = threading.Lock()
+        super().__init__(*given)
+
+    def process_request(self, request: Any, client_address: Any) -> None:  # noqa: ANN401 - http.server's own
+        """Take a connection, and end the oldest of strangers if there are too many."""
+        with self._lock:
+            self._strangers[request] = None
+            many = len(self._strangers) > MOST_STRANGERS
+            oldest = next(iter(self._strangers)) if many else None
+        if oldest is not None:
+            self.trust(oldest)
+            # Whoever waits for it to say something hears that it ended.
+            with suppress(OSError):
+                oldest.shutdown(socket.SHUT_RDWR)
+        super().process_request(request, client_address)
+
+    def trust(self, request: socket.socket) -> None:
+        """Count a connection no longer among the strangers'."""
+        with self._lock:
+            self._strangers.pop(request, None)
+
+    def shutdown_request(self, request: Any) -> None:  # noqa: ANN401 - http.server's own
+        """End a connection."""
+        self.trust(request)
+        super().shutdown_request(request)
 
     def handle_error(self, *_: object) -> None:
         """Say nothing: a browser whose page is closed goes away in the middle of an answer."""
@@ -112,6 +154,7 @@ class _Handler(BaseHTTPRequestHandler):
 
     protocol_version = "HTTP/1.1"
     server_version, sys_version = "bvhgrade", ""
+    timeout = IDLE_SECONDS
 
     def __init__(self, service: Service, text: str, token: str, *given: Any) -> None:  # noqa: ANN401 - http.server's own
         self._service, self._text, self._token = service, text, token
@@ -147,15 +190,15 @@ class _Handler(BaseHTTPRequestHandler):
             return
         given = self._given()
         if place not in ("look", "do") or given is None:
-            self._refuse(400)
+            self._json("there is no such question", 400)
             return
         service = self._service
         try:
             self._json(
                 service.ask(lambda: (service.look if place == "look" else service.do)(given))
             )
-        except UsageError:
-            self._refuse(400)
+        except UsageError as fault:
+            self._json(one_line(str(fault)), 400)
         except Unanswered as fault:
             self._json(str(fault), 500)
 
@@ -173,6 +216,8 @@ class _Handler(BaseHTTPRequestHandler):
         if not secrets.compare_digest(first.encode(), self._token.encode()):
             self._refuse(404)
             return None
+        if isinstance(self.server, _Server):
+            self.server.trust(self.connection)
         return rest
 
     def _given(self) -> dict[str, Any] | None:

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from grader.counterexample.shown import boxes
+from grader.counterexample.shown import MOST_BOXES, boxes
 from grader.errors import UsageError
 from grader.gallery.coarse import coarsened
 from grader.language import Words
@@ -19,25 +19,23 @@ from grader.model.views import Model, ShownRay
 from grader.plain import one_line
 from grader.report.views import model_json, ray_json
 from grader.verify.check import vector
-from grader.view.asked import FARTHEST, Unanswered, mode, number, numbers, within
-from grader.view.camera import Orbit, frame_of
+from grader.view.asked import Unanswered, mode, number, numbers, within
 from grader.view.desk import Desk
 from grader.view.inspector import NodeFacts, some_faces
 from grader.view.picture import Shown, shown
+from grader.view.remote import home_of, orbit_at
 from grader.view.stage import State
-from grader.view.status import status
+from grader.view.status import is_vain, status
 from grader.view.study import Study
-from grader.view.subject import cube
 from grader.view.walking import Walk, cut_off, deepest_known, outcome_of, right_of
 
 Json = dict[str, Any]
 
-FOV = float(2 * np.degrees(np.arctan(1 / 2.2)))
-"""Of the page's camera, whose lens has a focal length of 2.2."""
-
 PAUSE_SECONDS = 0.004
 LARGEST_SIDE = 1024
 MOST_FACES_SENT = 60_000
+DEEPEST_SENT = MOST_BOXES.bit_length() - 1
+"""The last level of boxes that a page is given."""
 
 
 class Service:
@@ -59,6 +57,10 @@ class Service:
         self._trees = 0
         self._tree: object = None
         self._sent: tuple[Mesh, Mesh] | None = None
+        self._told = 0
+        """Counts what was said, because a page may hear it in another order."""
+
+        self._own_fault = ""
         self.is_over = False
 
     def ask(self, question: Callable[[], Any]) -> Any:  # noqa: ANN401 - whatever it returns
@@ -69,18 +71,24 @@ class Service:
 
     def serve(self) -> None:
         """Answer until it is over."""
-        while not self.is_over:
-            self.advance()
+        while not self.is_over and not is_vain(self._desk):
+            begun: Future[Any] = Future()
+            self._answer(self.advance, begun)
+            fault = begun.exception()
+            self._own_fault = str(fault) if fault is not None else self._own_fault
             try:
                 question, answer = self._line.get(timeout=PAUSE_SECONDS)
             except queue.Empty:
                 continue
-            try:
-                answer.set_result(question())
-            except UsageError as fault:
-                answer.set_exception(fault)
-            except Exception as fault:  # noqa: BLE001 - one question is lost, not the viewer
-                answer.set_exception(Unanswered(self._failed(fault)))
+            self._answer(question, answer)
+
+    def _answer(self, question: Callable[[], Any], answer: Future[Any]) -> None:
+        try:
+            answer.set_result(question())
+        except UsageError as fault:
+            answer.set_exception(fault)
+        except Exception as fault:  # noqa: BLE001 - one question is lost, not the viewer
+            answer.set_exception(Unanswered(self._failed(fault)))
 
     def advance(self) -> None:
         """Look how far everything is."""
@@ -90,29 +98,37 @@ class Service:
         tree = self._desk.stage.tree if self._desk.stage else None
         if tree is not self._tree:
             self._tree, self._trees = tree, self._trees + 1
+        # The next wrong node may lie deeper, and nobody is to click a box that is not drawn.
+        self._desk.level = min(self._desk.level, DEEPEST_SENT)
 
     def state(self) -> Json:
         """Say how everything is."""
         desk, study, words = self._desk, self._study, self._words
         traced = desk.stage.traced if desk.stage else None
-        cost = ""
+        cost = differ = ""
         seen = self._shown
+        self._told += 1
+        if seen is not None and seen.wrong >= 0:
+            differ = words("{count} pixels differ").format(count=f"{seen.wrong:,}")
         if seen is not None and seen.scale and traced is not None:
             text = words("tests a ray; mean {boxes} of boxes, {triangles} of faces")
             cost = text.format(
                 boxes=f"{traced.box_tests:.1f}", triangles=f"{traced.triangle_tests:.1f}"
             )
         return {
+            "told": self._told,
             "status": status(desk, self._words),
             "trouble": self._trouble(),
             "ended": desk.stage is not None and desk.stage.state is State.ENDED,
-            "remark": one_line(study.remark),
+            "remark": one_line(study.remark or (desk.subject.origin if desk.subject else "")),
             "subject": desk.subjects,
             "tree": self._trees,
             "scene": desk.subject.name if desk.subject else "",
+            "level": desk.level,
+            "only": desk.only,
             "mode": desk.mode.value,
             "scale": seen.scale if seen and seen.scale else None,
-            "wrong": seen.wrong if seen else -1,
+            "differ": differ,
             "cost": cost,
             "node": self._node(study.facts),
             "ray": self._ray(study.walk),
@@ -134,7 +150,7 @@ class Service:
         model = Model(
             "", subject.title, mesh, len(subject.mesh.faces), low, high, -1, (), nothing, None
         )
-        return {**model_json(model), "home": self._home(subject.home, mesh)}
+        return {**model_json(model), "home": home_of(subject.home, mesh)}
 
     def image(self, after: int) -> tuple[int, Shown, float] | None:
         """Return the right pane with its number, if it is another one."""
@@ -156,20 +172,9 @@ class Service:
         desk = self._desk
         if desk.subject is None:
             return
-        yaw, pitch, far = (number(given, name, FARTHEST) for name in ("yaw", "pitch", "far"))
-        at, size = numbers(given, "at", 3), numbers(given, "size", 2)
+        size = numbers(given, "size", 2)
         width, height = (int(min(max(side, 16), LARGEST_SIDE)) for side in size)
-        middle, scale = cube(self._light(desk.subject.mesh))
-        target = np.array(at) / scale + middle
-        orbit = Orbit(
-            target=(float(target[0]), float(target[1]), float(target[2])),
-            up=(0.0, 1.0, 0.0),
-            yaw=yaw,
-            pitch=pitch,
-            distance=max(far, 1e-3) / scale,
-            fov=FOV,
-            size=desk.subject.home.size,
-        )
+        orbit = orbit_at(given, desk.subject.home, self._light(desk.subject.mesh))
         if orbit != desk.orbit or (width, height) != desk.size:
             desk.size = width, height
             desk.look(orbit)
@@ -182,6 +187,7 @@ class Service:
             UsageError: It is nothing that can be asked for.
         """
         desk, study, what = self._desk, self._study, given.get("what")
+        self._own_fault = ""
         alone: Mapping[str, Callable[[], None]] = {
             "next-node": study.next_node,
             "next-ray": study.next_ray,
@@ -198,7 +204,7 @@ class Service:
             pixel = int(x * desk.size[0]), int(y * desk.size[1])
             study.pick(within(pixel, desk.size)) if what == "pick" else study.follow(pixel)
         elif what == "level":
-            desk.level = int(min(max(number(given, "level", 64), -1), 20))
+            desk.level = int(max(number(given, "level", 64), -1))
             desk.only = given.get("only") is True
         elif what == "mode":
             desk.compare(mode(given.get("mode")))
@@ -207,6 +213,7 @@ class Service:
             desk.choose_scene(str(given.get("scene")))
         else:
             raise UsageError("there is no such wish")
+        desk.level = min(desk.level, DEEPEST_SENT)
         return self.state()
 
     def _failed(self, fault: Exception) -> str:
@@ -215,8 +222,9 @@ class Service:
 
     def _trouble(self) -> str:
         desk = self._desk
-        if desk.fault is not None:
-            return one_line(str(desk.fault))
+        fault = desk.fault or self._own_fault
+        if fault:
+            return one_line(str(fault))
         product = desk.product
         if product is not None and product.engine is None and not desk.is_building:
             told = [
@@ -238,12 +246,14 @@ class Service:
         known = self._study.judgement is not None
         good = words("Nothing is wrong with this node.") if known and not facts.faults else ""
         box = f"min {vector(facts.low)}\nmax {vector(facts.high)}"
+        corners = [*facts.low, *facts.high]
         return {
             "index": facts.node,
             "told": f"{told}\n{some_faces(facts)}\n{box}\n{good}",
             "family": family,
             "faults": [one_line(fault) for fault in facts.faults],
             "wrong": bool(facts.faults),
+            "box": corners if np.isfinite(corners).all() else None,
             "right_box": list(facts.right_box) or None,
         }
 
@@ -282,14 +292,3 @@ class Service:
             place[used] = np.arange(len(used), dtype=np.uint32)
             self._sent = mesh, Mesh(small.vertices[used], place[small.faces])
         return self._sent[1]
-
-    def _home(self, orbit: Orbit, mesh: Mesh) -> Json:
-        """Where the page's camera begins: where the scene's own does."""
-        middle, scale = cube(mesh)
-        back = frame_of(orbit).back
-        return {
-            "yaw": float(np.arctan2(back[0], back[2])),
-            "pitch": float(np.arcsin(np.clip(back[1], -1, 1))),
-            "far": float(np.clip(orbit.distance * scale * orbit.fov / FOV, 0.05, 40)),
-            "at": [float(x) for x in (np.array(orbit.target) - middle) * scale],
-        }

@@ -26,6 +26,11 @@ def status(desk: Desk, words: Words) -> str:
     return "   ".join(parts)
 
 
+def is_vain(desk: Desk) -> bool:
+    """Whether what was wanted first cannot be had, so that there is nothing to look at."""
+    return desk.subject is None and not desk.is_loading and desk.fault is not None
+
+
 def _of_stage(stage: Stage, words: Words) -> list[str]:
     traced, parts = stage.traced, []
     if stage.trouble:

@@ -43,13 +43,16 @@ def is_clicked(imgui: ModuleType) -> bool:
 def pressed(imgui: ModuleType, orbit: Orbit) -> Orbit:
     """Move a camera by the keyboard."""
     key = imgui.Key
+    # GLFW knows a key by its place where "+" stands alone on it: there Americans have "]".
+    nearer = (key.equal, key.right_bracket, key.keypad_add)
+    farther = (key.minus, key.keypad_subtract)
     moves: tuple[tuple[object, Callable[[], Orbit]], ...] = (
         (key.left_arrow, lambda: orbit.turned(-KEY_TURN, 0)),
         (key.right_arrow, lambda: orbit.turned(KEY_TURN, 0)),
         (key.up_arrow, lambda: orbit.turned(0, KEY_TURN)),
         (key.down_arrow, lambda: orbit.turned(0, -KEY_TURN)),
-        (key.equal, lambda: orbit.zoomed(KEY_ZOOM)),
-        (key.minus, lambda: orbit.zoomed(1 / KEY_ZOOM)),
+        *((one, lambda: orbit.zoomed(KEY_ZOOM)) for one in nearer),
+        *((one, lambda: orbit.zoomed(1 / KEY_ZOOM)) for one in farther),
         (key.a, lambda: orbit.panned(KEY_PAN, 0)),
         (key.d, lambda: orbit.panned(-KEY_PAN, 0)),
         (key.w, lambda: orbit.panned(0, -KEY_PAN)),
@@ -61,11 +64,17 @@ def pressed(imgui: ModuleType, orbit: Orbit) -> Orbit:
     return orbit
 
 
+def is_choosing(imgui: ModuleType) -> bool:
+    """Whether a list is open, so that the keys are for that."""
+    return bool(imgui.is_popup_open("", imgui.PopupFlags_.any_popup))
+
+
 def act(imgui: ModuleType, study: Study, reset: Callable[[], None]) -> None:
     """Do what other keys stand for: 0, n, r, comma and period."""
     key = imgui.Key
     actions: tuple[tuple[object, Callable[[], None]], ...] = (
         (key._0, reset),
+        (key.keypad0, reset),
         (key.n, study.next_node),
         (key.r, study.next_ray),
         (key.comma, lambda: study.walk_to(study.step - 1)),

@@ -49,6 +49,9 @@ class Subject(FrozenArrays):
     scene: Scene | None = None
     """The stored scene, with Mitsuba's picture of it; None if it is none."""
 
+    origin: str = ""
+    """Where it was found, if nobody said where; for people."""
+
 
 def own_scenes(options: Options) -> Path | None:
     """Find a course's own folder of scenes, which a rubric names.

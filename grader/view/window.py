@@ -7,17 +7,18 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from grader.errors import GraderError, MissingTool
+from grader.errors import MissingTool
 from grader.language import Words
+from grader.view.bar import Bar
 from grader.view.camera import Orbit
-from grader.view.desk import Desk, Mode
+from grader.view.desk import Desk
 from grader.view.needed import INSTALL, NO_DISPLAY, has_display
-from grader.view.panel import WIDTH, Panel, saved
+from grader.view.panel import WIDTH, Panel, saved, scaled
 from grader.view.panes import Panes
 from grader.view.preview import Preview
 from grader.view.screenshot import panes
-from grader.view.status import status
-from grader.view.steering import act, pressed
+from grader.view.status import is_vain, status
+from grader.view.steering import act, is_choosing, pressed
 from grader.view.study import Study
 from grader.view.subject import of_file
 
@@ -25,7 +26,6 @@ SIZE = (1440, 760)
 IDLE_FRAMES = 10.0
 """A second, as long as nothing is traced and nobody moves anything."""
 
-USUAL_FONT = 15
 LEAST = 16
 """Pixels of a pane's side, however small the window is."""
 
@@ -48,9 +48,12 @@ class Window:
         """None until there is a window."""
 
         self.frames = 0
-        self._scenes = list(scenes)
+        actions = (
+            (words("Reset view") + "###reset", self._reset),
+            (words("Save picture") + "###save", self.save),
+        )
+        self._bar = Bar(desk, study, scenes, words, actions)
         self._context: Any = None
-        self._dropped: list[str] = []
 
     def prepare(self) -> None:
         """Take over the window's OpenGL, and what is dropped onto it."""
@@ -58,7 +61,7 @@ class Window:
 
         self._context = moderngl.create_context(require=330)
         self.panes = Panes(self.desk, self.study, self._context)
-        _hear_drops(self._dropped.extend)
+        _hear_drops(self.drop)
 
     def frame(self) -> None:
         """Draw one frame, and do what was asked for in it."""
@@ -70,7 +73,7 @@ class Window:
         self.frames += 1
         self._advance(panes)
         panes.load()
-        self._bar(imgui)
+        self._bar.draw(imgui)
         size = _pane_size(imgui)
         self.desk.resize(*size)
         panes.left(imgui, size)
@@ -80,11 +83,13 @@ class Window:
         if imgui.begin_child("##panel", (0, size[1])):
             self.panel.draw(imgui, panes.shown)
         imgui.end_child()
-        if not imgui.get_io().want_text_input:
+        if not imgui.get_io().want_text_input and not is_choosing(imgui):
             self._keys(imgui, panes)
         imgui.text_unformatted(self.status(imgui.get_io().framerate))
-        idle = not self._is_busy(panes)
-        hello_imgui.get_runner_params().fps_idling.enable_idling = idle
+        runner = hello_imgui.get_runner_params()
+        runner.fps_idling.enable_idling = not self._is_busy(panes)
+        if is_vain(self.desk):
+            runner.app_shall_exit = True
 
     def status(self, fps: float) -> str:
         """Put the numbers of the moment into one line.
@@ -101,15 +106,13 @@ class Window:
         if self.panes is not None:
             self.panes.look(orbit)
 
-    def open(self, path: Path) -> None:
-        """Show a mesh or a counterexample from a file."""
+    def drop(self, names: Sequence[str]) -> None:
+        """Show a mesh or a counterexample from a file, the last of several."""
         self.panel.remark = ""
-        try:
-            subject = of_file(path)
-        except GraderError as fault:
-            self.panel.remark = str(fault)
-            return
-        self.desk.choose(lambda: subject)
+        if names:
+            path = Path(names[-1])
+            # It is read aside, because it may be large.
+            self.desk.choose(lambda: of_file(path))
 
     def save(self) -> None:
         """Save what is shown as a picture, where the program was started."""
@@ -125,9 +128,6 @@ class Window:
         self.panel.remark = saved(pixels, path, self.words)
 
     def _advance(self, panes: Panes) -> None:
-        for name in self._dropped[-1:]:
-            self.open(Path(name))
-        self._dropped.clear()
         panes.advance()
         self.study.advance()
 
@@ -147,44 +147,10 @@ class Window:
         if self.desk.subject is not None:
             self.look(self.desk.subject.home)
 
-    def _bar(self, imgui: ModuleType) -> None:
-        """Draw the controls above the panes."""
-        desk, words = self.desk, self.words
-        imgui.set_next_item_width(150)
-        current = desk.subject.name if desk.subject else "..."
-        if imgui.begin_combo(words("Scene") + "###scene", current):
-            for name in self._scenes:
-                if imgui.selectable(name, name == current)[0]:
-                    desk.choose_scene(name)
-            imgui.end_combo()
-        imgui.same_line()
-        imgui.set_next_item_width(150)
-        most = max(desk.deepest, 0)
-        level = min(desk.level, most)
-        changed, level = imgui.slider_int(words("BVH level") + "###level", level, -1, most)
-        desk.level = level if changed else desk.level
-        imgui.same_line()
-        _, desk.only = imgui.checkbox(words("only this level") + "###only", desk.only)
-        imgui.same_line()
-        hot = desk.mode is Mode.COST
-        changed, hot = imgui.checkbox(words("Cost heatmap") + "###cost", hot)
-        if changed:
-            desk.compare(Mode.COST if hot else Mode.SHADED)
-        actions: tuple[tuple[str, Callable[[], None]], ...] = (
-            (words("Next failing node") + "###next-node", self.study.next_node),
-            (words("Next failing ray") + "###next-ray", self.study.next_ray),
-            (words("Reset view") + "###reset", self._reset),
-            (words("Save picture") + "###save", self.save),
-        )
-        for name, action in actions:
-            imgui.same_line()
-            if imgui.button(name):
-                action()
-
 
 def _pane_size(imgui: ModuleType) -> tuple[int, int]:
     """Divide what is left of the window: two panes, and the column beside them."""
-    wide = WIDTH * imgui.get_font_size() / USUAL_FONT
+    wide = scaled(imgui, WIDTH)
     room, gap = imgui.get_content_region_avail(), imgui.get_style().item_spacing.x
     height = room.y - imgui.get_frame_height_with_spacing()
     return max(int((room.x - wide - 2 * gap) / 2), LEAST), max(int(height), LEAST)

@@ -20,6 +20,7 @@ FILE = str(resources.reference_source())
         (("--scene", "soup", "--check", "x"), "give one of them"),
         (("--web", "--screenshot", "a.png"), "give one of them"),
         (("--check", "nothing.json"), "nothing.json"),
+        (("--check", "hits.closest-win"), "perhaps hits.closest-wins"),
     ],
 )
 @pytest.mark.usefixtures("cache")
@@ -87,6 +88,17 @@ def test_a_picture_that_is_not_whole_says_why(
     assert told in done.stderr
     assert "Traceback" not in done.stderr
     assert path.is_file()
+
+
+def test_a_picture_of_what_does_not_compile_says_why(cache: Path, tmp_path: Path) -> None:
+    """With the compiler's first line, and status 1; there is no picture."""
+    file, path = tmp_path / "exercise03.cpp", tmp_path / "both.png"
+    file.write_text(sources.given() + "oops")
+    done = drawn(str(file), path)
+    assert done.returncode == 1, done.stderr
+    line = len(sources.given().splitlines()) + 1
+    assert f"It does not compile. {line}: " in done.stderr
+    assert not path.exists()
 
 
 def test_a_file_shows_both_panes(cache: Path, tmp_path: Path) -> None:

@@ -12,6 +12,8 @@ from grader.run.session import Engine
 from grader.view.stage import Stage
 from grader.view.subject import Subject
 from tests.compiled import engine_of, library_of
+from tests.view import sources
+from tests.view.served import Open, opened
 
 Compiled = Callable[[str], Engine]
 Staged = Callable[..., Stage]
@@ -69,3 +71,12 @@ def display() -> Generator[str]:
         assert number, "Xvfb did not start"
         yield f":{number}"
         server.terminate()
+
+
+@pytest.fixture(scope="module")
+def house(cache: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Open]:
+    """Serve a right submission."""
+    file = tmp_path_factory.mktemp("web") / "exercise03.cpp"
+    file.write_text(sources.reference())
+    with opened(file) as found:
+        yield found

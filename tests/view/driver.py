@@ -14,18 +14,21 @@ from imgui_bundle import imgui
 from imgui_bundle.immapp import testing
 
 from grader.cli.progress import silent
+from grader.language import translator
 from grader.options import Options
 from grader.view.desk import Desk, Mode
+from grader.view.opening import Wish, wanted
+from grader.view.picture import BRIGHTEST
 from grader.view.shades import BACKGROUND, is_hit
 from grader.view.stage import State
 from grader.view.study import Study
-from grader.view.subject import of_scene
 from grader.view.traced import agreement
 from grader.view.window import Window, runner
 from tests.view import sources
 
 SCENE = "soup"
 MOST_FRAMES = 20_000
+PATIENCE_SECONDS = 500.0
 
 
 class Hands:
@@ -56,13 +59,17 @@ class Hands:
 
     def work(self, ctx: Any, deeds: list[str]) -> None:  # noqa: ANN401 - ImGui's own
         """Do all deeds."""
-        if deeds[0] not in ("trouble", "broken"):
+        # Its own patience is a minute, and a busy machine needs more.
+        imgui.test_engine.get_io(ctx.engine).config_watchdog_kill_test = PATIENCE_SECONDS
+        if deeds[0] not in ("trouble", "broken", "bar"):
             self.wait(ctx, self.is_traced)
             self.wait(ctx, lambda: self.left is not None)
             stage = self.window.desk.stage
             assert stage is not None
             assert self.left is not None
             drawn = (self.left != BACKGROUND).any(axis=2)
+            assert drawn.any()
+            assert not drawn.all()
             self.seen["agreement"] = agreement(drawn, is_hit(stage.traced.t))
         ctx.set_ref("Main window (title bar invisible)")
         for deed in deeds:
@@ -72,6 +79,7 @@ class Hands:
         """Drag over the left pane."""
         window = self.window
         before = window.desk.orbit
+        assert before is not None
         self.to(ctx, 0.5, 0)
         ctx.mouse_down(0)
         for _ in range(4):
@@ -79,34 +87,97 @@ class Hands:
             ctx.mouse_move_to_pos((at.x + 20, at.y + 6))
         ctx.mouse_up(0)
         self.wait(ctx, lambda: bool(window.panes and window.panes.waited))
-        return {
-            "turned": window.desk.orbit != before,
-            "waited": window.panes.waited if window.panes else [],
-        }
+        after = window.desk.orbit
+        assert after is not None
+        return {"yaw": after.yaw - before.yaw, "pitch": after.pitch - before.pitch}
 
     def slider(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401 - ImGui's own
         """Move the slider of levels."""
-        before = self.window.desk.level
         ctx.item_input_value("###level", 2)
-        return {"before": before, "level": self.window.desk.level}
+        return {"level": self.window.desk.level}
 
     def heat(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401 - ImGui's own
         """Switch to the heatmap and back."""
         ctx.item_click("###cost")
-        panes = self.window.panes
+        panes, stage = self.window.panes, self.window.desk.stage
         assert panes is not None
-        self.wait(ctx, lambda: bool(panes.shown and panes.shown.scale))
-        assert panes.shown is not None
-        scale = panes.shown.scale
+        assert stage is not None
+        self.wait(ctx, lambda: bool(panes.shown and panes.shown.scale) and self.is_traced())
+        ctx.yield_(2)
+        hot = panes.shown
+        assert hot is not None
+        traced = stage.traced
+        most = int(np.percentile(traced.tests[traced.seen], BRIGHTEST))
         ctx.item_click("###cost")
-        return {"scale": scale, "back": self.window.desk.mode is Mode.SHADED}
+        self.wait(ctx, lambda: panes.shown is not None and not panes.shown.scale)
+        assert panes.shown is not None
+        return {
+            "scale": hot.scale,
+            "expected": most,
+            "coloured": float((hot.pixels != panes.shown.pixels).any(axis=2).mean()),
+            "back": self.window.desk.mode is Mode.SHADED,
+        }
 
     def keys(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401 - ImGui's own
-        """Turn by the keyboard."""
+        """Turn and zoom by the keyboard, also while a list is open."""
+        moved = {}
+        for name in ("w", "left_arrow", "equal", "right_bracket", "keypad_add", "minus"):
+            before = self.window.desk.orbit
+            ctx.key_press(getattr(imgui.Key, name))
+            ctx.yield_(2)
+            moved[name] = self.window.desk.orbit != before
+        ctx.item_click("###scene")
         before = self.window.desk.orbit
-        ctx.key_press(imgui.Key.w)
+        for key in (imgui.Key.down_arrow, imgui.Key.w):
+            ctx.key_press(key)
+            ctx.yield_(2)
+        moved["list"] = self.window.desk.orbit != before
+        ctx.key_press(imgui.Key.escape)
         ctx.yield_(2)
-        return {"turned": self.window.desk.orbit != before}
+        return moved
+
+    def bar(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401 - ImGui's own
+        """Look where the buttons end."""
+        window = ctx.get_window_by_ref("//Main window (title bar invisible)")
+        names = ("###scene", "###level", "###next-node", "###next-ray", "###reset", "###save")
+        ends = [ctx.item_info(name).rect_full.max for name in names]
+        return {
+            "right": max(end.x for end in ends),
+            "room": window.pos.x + window.size.x,
+            "rows": len({end.y for end in ends}),
+        }
+
+    def counterexample(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401 - ImGui's own
+        """Ask for the next wrong ray and node, and step."""
+        study, told = self.window.study, {}
+        self.wait(ctx, lambda: study.walk is not None)
+        walk = study.walk
+        assert walk is not None
+        told["first"] = walk.title
+        ctx.key_press(imgui.Key.r)
+        self.wait(ctx, lambda: study.walk is not walk)
+        assert study.walk is not None
+        told["next"] = study.walk.title
+        steps = [study.step]
+        for key in (imgui.Key.comma, imgui.Key.period):
+            ctx.key_press(key)
+            ctx.yield_(2)
+            steps.append(study.step)
+        ctx.key_press(imgui.Key.n)
+        self.wait(ctx, lambda: bool(study.remark))
+        subject = self.window.desk.subject
+        assert subject is not None
+        return {**told, "steps": steps, "remark": study.remark, "origin": subject.origin}
+
+    def drop(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401 - ImGui's own
+        """Drop a file onto the window."""
+        Path("two.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\n")
+        desk = self.window.desk
+        self.window.drop(["two.obj"])
+        self.wait(ctx, lambda: desk.subject is not None and desk.subject.name == "two")
+        self.wait(ctx, self.is_traced)
+        assert desk.stage is not None
+        return {"hit": float(is_hit(desk.stage.traced.t).mean())}
 
     def click(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401 - ImGui's own
         """Click a pixel on the right, then a box on the left."""
@@ -121,7 +192,7 @@ class Hands:
         self.wait(ctx, lambda: study.facts is not None)
         assert study.walk is not None
         assert study.facts is not None
-        return {"steps": len(study.walk.steps), "node": study.facts.node}
+        return {"first": study.walk.steps[0].node, "node": study.facts.node}
 
     def save(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401 - ImGui's own
         """Save a picture."""
@@ -135,7 +206,9 @@ class Hands:
         desk = self.window.desk
         self.wait(ctx, lambda: desk.subject is not None and desk.subject.name == "nested")
         self.wait(ctx, self.is_traced)
-        return {"subject": desk.subject.name if desk.subject else ""}
+        assert desk.subject is not None
+        assert desk.stage is not None
+        return {"faces": len(desk.subject.mesh.faces), "share": desk.stage.traced.share}
 
     def trouble(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401 - ImGui's own
         """Wait until the submission ended."""
@@ -185,11 +258,16 @@ class Hands:
 def main(file: Path, told: Path, deeds: list[str]) -> None:
     """Open the window, do the deeds, write down what was seen."""
     options = Options(41, None, (), silent)
-    with Desk(file, options, lambda: of_scene(SCENE)) as desk:
+    fails, narrow = deeds[0] == "counterexample", deeds[0] == "bar"
+    check = "hits.closest-wins" if fails else None
+    first = wanted(Wish(file, options, None if fails else SCENE, check, str))
+    with Desk(file, options, first) as desk:
         study = Study(desk)
-        window = Window(desk, study, [SCENE, "nested"], str)
+        window = Window(desk, study, [SCENE, "nested"], translator("de") if narrow else str)
         hands = Hands(window, file)
         params = runner(window, "test")
+        if narrow:
+            params.app_window_params.window_geometry.size = (900, 700)
         params.callbacks.show_gui = hands.frame
         testing.run(
             test_function=lambda ctx: hands.work(ctx, deeds),

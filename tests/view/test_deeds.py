@@ -8,15 +8,18 @@ from typing import Any, cast
 import numpy as np
 import pytest
 
+from grader.cli.progress import silent
+from grader.options import Options
 from grader.view import window as window_module
 from grader.view.desk import Desk
 from grader.view.panes import Panes
 from grader.view.stage import State
+from grader.view.status import is_vain
 from grader.view.study import Study
 from grader.view.walking import Walk, cut_off
 from grader.view.window import Window, _hear_drops
 from tests.verify.builder import soup
-from tests.view.shown import confetti, of_mesh
+from tests.view.shown import confetti, of_mesh, until
 
 WALK = Walk(np.zeros(8, np.float32), (), 0, np.inf, None, "", -1, "")
 
@@ -35,7 +38,7 @@ class StandIn:
 
     def choose(self, load: Any) -> None:  # noqa: ANN401 - the desk's own
         """Remember it."""
-        self.chosen.append(load())
+        self.chosen.append(load)
 
     def advance(self) -> bool:
         """Have nothing new."""
@@ -51,7 +54,7 @@ def window_on(desk: StandIn) -> Window:
 def test_a_file_that_is_dropped_is_opened(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """The last of several; what cannot be read is told."""
+    """The last of several, and not in the frame in which it is heard."""
     import glfw
     from imgui_bundle import glfw_utils
 
@@ -62,17 +65,37 @@ def test_a_file_that_is_dropped_is_opened(
     file.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\n")
     desk = StandIn()
     window = window_on(desk)
-    panes = cast("Panes", SimpleNamespace(advance=lambda: None))
-    _hear_drops(window._dropped.extend)
+    window.panel.remark = "saved"
+    _hear_drops(window.drop)
+    heard[0](None, [])
     heard[0](None, ["first.txt", str(file)])
-    window._advance(panes)
-    assert [len(one.mesh.faces) for one in desk.chosen] == [2]
-    assert not window.panel.remark
-    heard[0](None, ["notes.txt"])
-    window._advance(panes)
-    window._advance(panes)
-    assert "was expected" in window.panel.remark
     assert len(desk.chosen) == 1
+    # Nothing was read yet.
+    file.write_text(file.read_text() + "f 2 3 4\n")
+    assert len(desk.chosen[0]().mesh.faces) == 3
+    assert not window.panel.remark
+
+
+def test_a_file_that_cannot_be_shown_leaves_what_there_is(tmp_path: Path) -> None:
+    """It is said what was expected, until something else is shown."""
+    text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+    (tmp_path / "one.obj").write_text(text)
+    source = tmp_path / "a.cpp"
+    source.write_text("")
+    with Desk(source, Options(41, None, (), silent, isolated=False), confetti) as desk:
+        study = Study(desk)
+        window = Window(desk, study, [], str)
+        until(lambda: desk.subjects == 1, desk.advance)
+        window.drop([str(tmp_path / "notes.txt")])
+        until(lambda: not desk.is_loading, desk.advance)
+        assert "was expected" in str(desk.fault)
+        assert "was expected" in window.status(10.0)
+        assert not is_vain(desk)
+        assert desk.subjects == 1
+        window.drop([str(tmp_path / "one.obj")])
+        until(lambda: desk.subjects == 2, desk.advance)
+        assert "was expected" not in window.status(10.0)
+        study.close()
 
 
 def test_every_picture_is_a_file_of_its_own(
@@ -106,7 +129,7 @@ def test_a_click_after_the_end_is_answered() -> None:
 def test_a_window_is_drawn_at_full_speed_as_long_as_something_is_looked_for() -> None:
     """The rays of a counterexample are passed over one in each frame."""
     window = window_on(StandIn())
-    panes = cast("Panes", SimpleNamespace(is_settled=True))
+    panes = cast(Panes, SimpleNamespace(is_settled=True))
     assert not window._is_busy(panes)
     window.study._hunting = True
     assert window._is_busy(panes)

@@ -1,17 +1,25 @@
 """What is opened first, and which scenes there are."""
 
+import os
+from datetime import datetime
 from pathlib import Path
 
 import pytest
 
 from grader.cli.progress import silent
+from grader.counterexample.written import to_text
 from grader.errors import UsageError
+from grader.model.counterexample import Counterexample
+from grader.model.trials import ConstructTrial
 from grader.options import Options
 from grader.oracle.scenes import scenes
 from grader.score.rubric import SHIPPED
-from grader.view.opening import Wish, wanted
-from grader.view.subject import of_scene, own_scenes, scene_folders
+from grader.view import opening as opening_module
+from grader.view import screenshot as screenshot_module
+from grader.view.opening import Wish, opening, wanted
+from grader.view.subject import Subject, of_scene, own_scenes, scene_folders
 from tests.oracle.own import MESH, own_folder
+from tests.verify.builder import soup
 
 
 @pytest.fixture
@@ -43,3 +51,49 @@ def test_without_the_rubric_it_is_unknown() -> None:
     """Those that there are are named."""
     with pytest.raises(UsageError, match=r"no scene is called our-few; there are .*dragon"):
         wanted(wish(None, "our-few"))
+
+
+def of_check(folder: Path, check: str) -> Wish:
+    """Want to see what fails a check."""
+    return Wish(folder / "a.cpp", Options(41, None, (), silent), None, check, str)
+
+
+def test_a_check_that_does_not_exist_is_told_at_once(tmp_path: Path) -> None:
+    """Before anything is opened, and what is spelled alike is named."""
+    with pytest.raises(UsageError, match=r"--check hits.closest-win: .* hits.closest-wins"):
+        wanted(of_check(tmp_path, "hits.closest-win"))
+
+
+def test_a_counterexample_that_lies_there_is_named(tmp_path: Path) -> None:
+    """With its date: it may be somebody else's, and old."""
+    check = "hits.closest-wins"
+    trial = ConstructTrial("x", soup(5))
+    folder = tmp_path / "bvhgrade-out" / "counterexamples"
+    folder.mkdir(parents=True)
+    file = folder / f"{check}.json"
+    file.write_text(to_text(Counterexample(check, trial, 5, 0, "x", "", "", "")))
+    noon = datetime(2026, 2, 3, 12, 0).timestamp()
+    os.utime(file, (noon, noon))
+    subject = wanted(of_check(tmp_path, check))()
+    assert subject.check == check
+    assert str(file) in subject.origin
+    assert "2026-02-03 12:00" in subject.origin
+    assert not wanted(of_check(tmp_path, str(file)))().origin
+
+
+@pytest.mark.parametrize("web", [True, False], ids=["web", "screenshot"])
+def test_what_cannot_be_had_ends_the_viewer(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, web: bool
+) -> None:
+    """Nobody is left with nothing to look at, and a status of 0."""
+
+    def search(_: Wish, check: str) -> Subject:
+        raise UsageError(f"{check}: there is no input that fails it")
+
+    monkeypatch.setattr(opening_module, "_searched", search)
+    monkeypatch.setattr(screenshot_module, "surfaceless", lambda: None)
+    file = tmp_path / "a.cpp"
+    file.write_text("")
+    picture = None if web else tmp_path / "a.png"
+    with pytest.raises(UsageError, match="no input that fails it"):
+        opening(of_check(tmp_path, "hits.closest-wins"), web, picture)

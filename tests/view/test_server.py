@@ -1,91 +1,28 @@
-"""The page of this machine alone: who may ask, what is answered, and how it looks."""
+"""The page of this machine alone: who may ask, and what is answered."""
 
 import html
 import http.client
-import json
 import socket
 import struct
 import threading
-from collections.abc import Iterator
-from contextlib import contextmanager
-from dataclasses import dataclass
-from pathlib import Path
-from typing import Any
+from types import SimpleNamespace
+from typing import Any, cast
 
+import numpy as np
 import pytest
-from playwright.sync_api import Browser, Page
 
-from grader.cli.progress import silent
-from grader.options import Options
+from grader.model.scene import Scene
+from grader.oracle.scenes import scenes
+from grader.view import server
+from grader.view.camera import frame_of, orbit_of
 from grader.view.desk import Desk
-from grader.view.server import HERE, Door, written
-from grader.view.service import Service
+from grader.view.server import HERE
+from grader.view.service import DEEPEST_SENT, Service
 from grader.view.study import Study
-from grader.view.subject import of_scene
-from tests.view import sources
-
-OPTIONS = Options(41, None, (), silent, isolated=False)
-PATIENCE = 240_000
-"""Milliseconds; only a machine that is much too busy needs more than a few seconds."""
-
-
-@dataclass(frozen=True)
-class Open:
-    """A door, and the service behind it, which runs in a thread."""
-
-    door: Door
-    service: Service
-
-    def ask(self, method: str, place: str, body: Any = None, **headers: str) -> tuple[int, Any]:  # noqa: ANN401 - JSON
-        """Ask, and return status and answer."""
-        talk = http.client.HTTPConnection("127.0.0.1", self.door.port, timeout=120)
-        try:
-            data = body if isinstance(body, str | None) else json.dumps(body)
-            talk.request(method, place, data, headers)
-            answer = talk.getresponse()
-            text = answer.read()
-        finally:
-            talk.close()
-        if answer.getheader("Content-Type") == "application/json":
-            return answer.status, json.loads(text)
-        return answer.status, text
-
-    def at(self, what: str) -> str:
-        """Put the secret part in front."""
-        return f"/{self.door.token}/{what}"
-
-
-@contextmanager
-def opened(file: Path) -> Iterator[Open]:
-    """Serve a desk in a thread of its own."""
-    ready: list[Open] = []
-    there, over = threading.Event(), threading.Event()
-
-    def serve() -> None:
-        with Desk(file, OPTIONS, lambda: of_scene("soup")) as desk:
-            study = Study(desk)
-            service = Service(desk, study, str)
-            with Door(service, written(desk, ["soup", "nested"], str)) as door:
-                ready.append(Open(door, service))
-                there.set()
-                service.serve()
-            study.close()
-        over.set()
-
-    threading.Thread(target=serve, daemon=True).start()
-    assert there.wait(120)
-    yield ready[0]
-    ready[0].service.is_over = True
-    assert over.wait(120)
-
-
-@pytest.fixture(scope="module")
-def house(cache: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Open]:
-    """Serve a right submission."""
-    file = tmp_path_factory.mktemp("web") / "exercise03.cpp"
-    file.write_text(sources.reference())
-    with opened(file) as found:
-        yield found
+from grader.view.subject import Subject
+from tests.verify.builder import soup
+from tests.view.served import Open
+from tests.view.shown import until
 
 
 def test_the_page_is_given_to_who_knows_the_secret(house: Open) -> None:
@@ -129,7 +66,9 @@ def test_another_secret_is_refused(house: Open, token: str) -> None:
 )
 def test_what_cannot_be_asked_is_refused(house: Open, body: Any) -> None:  # noqa: ANN401 - JSON
     """And the program goes on."""
-    assert house.ask("POST", house.at("do"), body)[0] == 400
+    status, told = house.ask("POST", house.at("do"), body)
+    assert status == 400
+    assert told
     assert house.ask("GET", house.at("state"))[0] == 200
 
 
@@ -162,71 +101,93 @@ def test_a_browser_that_goes_away_leaves_no_traceback(
     assert "Traceback" not in capfd.readouterr().err
 
 
-@pytest.fixture
-def page(house: Open, browser: Browser) -> Iterator[Page]:
-    """Open the page in a browser in which nothing may go wrong."""
-    noticed: list[str] = []
-    # What playwright waits for is evaluated, which the page's own policy forbids.
-    found = browser.new_page(viewport={"width": 1200, "height": 1000}, bypass_csp=True)
-    found.set_default_timeout(PATIENCE)
-    found.on("console", lambda one: noticed.extend([one.text] * (one.type == "error")))
-    found.on("pageerror", lambda error: noticed.append(str(error)))
-    found.goto(house.door.address)
-    found.locator("#traced[data-share='1']").wait_for()
-    yield found
-    found.close()
-    assert not noticed
+def silent(house: Open) -> socket.socket:
+    """Connect, and say nothing."""
+    line = socket.create_connection((HERE, house.door.port))
+    line.settimeout(60)
+    return line
 
 
-def test_the_page_does_what_hands_want(page: Page) -> None:
-    """Turn, follow a ray, step, look at a node, change the picture and the scene."""
-    box = page.locator("#traced").bounding_box()
-    assert box is not None
-    page.mouse.click(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
-    page.locator("#steps li").first.wait_for()
-    page.locator("#after").click()
-    page.locator("#steps [aria-current]").wait_for()
-    page.locator("#node").fill("2")
-    page.locator("#node").blur()
-    page.get_by_text("level 1, faces").wait_for()
-    page.locator("#mode").select_option("cost")
-    page.locator("#mode").blur()
-    page.locator("#scale").wait_for()
-    before = page.evaluate("document.getElementById('traced').toDataURL()")
-    page.locator("#stage").focus()
-    for _ in range(4):
-        page.keyboard.press("ArrowLeft")
-    page.wait_for_function(
-        "before => document.getElementById('traced').toDataURL() !== before", arg=before
+def test_who_says_nothing_is_not_waited_for(
+    house: Open, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Neither for a question nor for the rest of one."""
+    monkeypatch.setattr(server._Handler, "timeout", 0.2)
+    body = f"POST {house.at('do')} HTTP/1.1\r\nHost: {HERE}:1\r\nContent-Length: 9\r\n\r\n"
+    for said in ("", "GET /", body):
+        with silent(house) as line:
+            line.sendall(said.encode())
+            assert line.recv(1) == b""
+
+
+def test_strangers_cannot_take_all_connections(house: Open) -> None:
+    """The oldest of them go; who has named the secret stays."""
+    known = http.client.HTTPConnection(HERE, house.door.port, timeout=120)
+    known.request("GET", house.at("state"))
+    assert known.getresponse().read()
+    before = threading.active_count()
+    lines = [silent(house) for _ in range(3 * server.MOST_STRANGERS)]
+    assert lines[0].recv(1) == b""
+    assert house.ask("GET", house.at("state"))[0] == 200
+    known.request("GET", house.at("state"))
+    assert known.getresponse().status == 200
+    until(lambda: threading.active_count() <= before + server.MOST_STRANGERS, lambda: None)
+    known.close()
+    for line in lines:
+        line.close()
+
+
+def test_a_fault_of_the_desk_costs_nothing(
+    house: Open, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It is told until somebody wants something else, and the next questions are answered."""
+
+    def advance() -> bool:
+        raise ValueError("on purpose")
+
+    with monkeypatch.context() as patch:
+        patch.setattr(house.service._desk, "advance", advance)
+        until(lambda: bool(house.service._own_fault), lambda: None)
+    assert "on purpose" in house.ask("GET", house.at("state"))[1]["trouble"]
+    status, told = house.ask("POST", house.at("do"), {"what": "step", "step": 0})
+    assert status == 200
+    assert "on purpose" not in told["trouble"]
+
+
+def test_no_level_is_chosen_that_a_page_is_not_given(house: Open) -> None:
+    """A click must find only boxes that are drawn."""
+    told = house.ask("POST", house.at("do"), {"what": "level", "level": 15})[1]
+    assert told["level"] == DEEPEST_SENT
+    house.service._desk.level = 14
+    until(lambda: house.service._desk.level == DEEPEST_SENT, lambda: None)
+    assert house.ask("POST", house.at("do"), {"what": "level", "level": 6})[1]["level"] == 6
+
+
+@pytest.mark.parametrize("scene", scenes(), ids=lambda one: one.name)
+def test_a_page_begins_where_the_scene_does(scene: Scene) -> None:
+    """With the same axes, whatever its up is, and the same point in the middle."""
+    mesh = soup(30)
+    home = orbit_of(scene.camera, 1.0)
+    desk = SimpleNamespace(
+        subject=Subject("few", "few", mesh, home),
+        light=None,
+        stage=None,
+        size=(8, 8),
+        orbit=home,
     )
-    page.locator("#scene").select_option("nested")
-    page.locator("#scene").blur()
-    page.get_by_text("11,008 faces").wait_for()
-
-
-def test_the_page_has_the_keys_and_buttons_of_the_window(page: Page) -> None:
-    """Steps by comma and period; W moves what is seen, and so does the right button."""
-    stage = page.locator("#stage").bounding_box()
-    traced = page.locator("#traced").bounding_box()
-    assert stage is not None
-    assert traced is not None
-    page.mouse.click(traced["x"] + traced["width"] / 2, traced["y"] + traced["height"] / 2)
-    page.locator("#steps li").nth(2).wait_for()
-    page.keyboard.press(".")
-    page.keyboard.press(".")
-    page.locator("#steps li:nth-child(2)[aria-current]").wait_for()
-    page.keyboard.press(",")
-    page.locator("#steps li:nth-child(1)[aria-current]").wait_for()
-    picture = "document.getElementById('traced').toDataURL()"
-    page.locator("#stage").focus()
-    before = page.evaluate(picture)
-    page.keyboard.press("w")
-    page.wait_for_function(f"before => {picture} !== before", arg=before)
-    page.locator("#traced[data-share='1']").wait_for()
-    before = page.evaluate(picture)
-    page.mouse.move(stage["x"] + 200, stage["y"] + 200)
-    page.mouse.down(button="right")
-    page.mouse.move(stage["x"] + 260, stage["y"] + 200, steps=3)
-    page.mouse.up(button="right")
-    page.wait_for_function(f"before => {picture} !== before", arg=before)
-    assert page.locator("#again").is_hidden()
+    desk.look = lambda orbit: setattr(desk, "orbit", orbit)
+    service = Service(cast("Desk", desk), cast("Study", None), str)
+    begun = (service.model() or {})["home"]
+    service.look({**begun, "size": [16, 16]})
+    assert desk.orbit != home
+    seen, wanted = frame_of(desk.orbit), frame_of(home)
+    for one, other in (
+        (seen.right, wanted.right),
+        (seen.up, wanted.up),
+        (seen.back, wanted.back),
+    ):
+        assert one == pytest.approx(other, abs=1e-9)
+    assert desk.orbit.target == pytest.approx(home.target, abs=1e-6)
+    east, up, north = begun["axes"]
+    assert np.cross(up, north) == pytest.approx(np.array(east), abs=1e-9)
+    assert up == pytest.approx(home.up)

@@ -98,15 +98,17 @@ const openSpace = (canvas, seen = null) => {
   const faces = build(FACE_POINT, FACE_COLOUR), lines = build(LINE_POINT, LINE_COLOUR);
   const points = gl.createBuffer(), corners = gl.createBuffer();
   const boxes = gl.createBuffer(), extra = gl.createBuffer();
-  const home = { yaw: .6, pitch: .35, far: 3, at: [0, 0, 0] };
+  // East, up and north: with a yaw and a pitch of 0 one looks from the north.
+  const home = { yaw: .6, pitch: .35, far: 3, at: [0, 0, 0], axes: [[1, 0, 0], [0, 1, 0], [0, 0, 1]] };
   let shown = null, view = { ...home }, start = home, waiting = false;
 
   const axes = () => {
-    const { yaw, pitch } = view, c = Math.cos(pitch);
+    const { yaw, pitch, axes: [east, above, north] } = view, c = Math.cos(pitch);
     const back = [Math.sin(yaw) * c, Math.sin(pitch), Math.cos(yaw) * c];
     const right = [Math.cos(yaw), 0, -Math.sin(yaw)];
     const up = [back[1] * right[2], back[2] * right[0] - back[0] * right[2], -back[1] * right[0]];
-    return { back, right, up };
+    const placed = ([x, y, z]) => east.map((e, k) => x * e + y * above[k] + z * north[k]);
+    return { back: placed(back), right: placed(right), up: placed(up) };
   };
   const look = (program, { back, right, up }) => {
     gl.useProgram(program.made);
@@ -226,7 +228,7 @@ const openSpace = (canvas, seen = null) => {
   return {
     zoom, reset, draw,
     // The mesh and all boxes go to the graphics card once; what is shown of them changes.
-    load: (mesh, boxLines, from) => {
+    load: (mesh, boxLines, from, now = {}) => {
       gl.bindBuffer(gl.ARRAY_BUFFER, points);
       gl.bufferData(gl.ARRAY_BUFFER, mesh.places, gl.STATIC_DRAW);
       gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, corners);
@@ -234,7 +236,8 @@ const openSpace = (canvas, seen = null) => {
       gl.bindBuffer(gl.ARRAY_BUFFER, boxes);
       gl.bufferData(gl.ARRAY_BUFFER, boxLines, gl.STATIC_DRAW);
       start = { ...home, ...from };
-      reset();
+      view = { ...start, ...now };
+      redraw();
     },
     show: (what) => { shown = what; redraw(); },
   };

@@ -8,18 +8,21 @@
   const list = byId("steps");
   let opened = null, state = null, subject = -1, tree = -1, look = null, sent = "", image = -1;
 
-  // What the program says in a sentence when it cannot answer; it goes on.
+  // What the program says in a sentence when it will not or cannot answer; it goes on.
   class Failed extends Error {}
+  // It said nothing, for once or for ever: that is told by whoever asks again and again.
+  class Silent extends Error {}
   let failed = "";
   const lost = (error) => {
+    if (error instanceof Silent) return;
     if (!(error instanceof Failed)) throw error;
     failed = byId("trouble").textContent = error.message;
     byId("trouble").hidden = false;
   };
   const ask = async (what, body) => {
-    const answer = await fetch(what, body === undefined ? {} : { method: "POST", body: JSON.stringify(body) });
-    if (answer.status === 500) throw new Failed(await answer.json());
-    if (!answer.ok) throw new Error(`${what}: ${answer.status}`);
+    const answer = await fetch(what, body === undefined ? {} : { method: "POST", body: JSON.stringify(body) }).catch(() => { throw new Silent(what); });
+    if (answer.status === 500 || answer.status === 400) throw new Failed(await answer.json());
+    if (!answer.ok) throw new Silent(`${what}: ${answer.status}`);
     return answer;
   };
   const wish = (what, values = {}) => {
@@ -45,10 +48,11 @@
   const show = () => {
     if (!opened || !state) return;
     const { node, ray, step } = state;
-    Object.assign(opened.model, { node: node && node.wrong ? node.index : null, expected_box: node ? node.right_box : null, marked: [], ray });
+    Object.assign(opened.model, { node: null, expected_box: node ? node.right_box : null, marked: [], ray });
     const what = display(opened, { level: Number(level.value), only: only.checked, step });
     what.levels = true;
-    if (node && !node.wrong && opened.box(node.index)) what.lines.push({ at: edgesOf(opened.box(node.index)), colour: COLOURS.marked, wide: 3 });
+    // It may lie below the levels that the page was given.
+    if (node && node.box) what.lines.push({ at: edgesOf(opened.moved(node.box)), colour: node.wrong ? COLOURS.node : COLOURS.marked, wide: 3 });
     byId("level-told").value = level.value < 0 ? "\u2013" : level.value;
     if (space) space.show(what);
   };
@@ -88,7 +92,23 @@
       else item.removeAttribute("aria-current");
     });
   };
+  const load = async (anew, now) => {
+    const model = await (await ask("model")).json();
+    const next = model && await openModel(model);
+    // Meanwhile another one may have been asked for.
+    if (!next || subject !== now.subject || tree !== now.tree) return;
+    const before = opened && !anew ? { ...look } : {};
+    opened = next;
+    // As long as there is no tree, the level that is wanted stays as it is.
+    if (model.boxes.count) level.max = Math.floor(Math.log2(model.boxes.count));
+    if (space) space.load(opened.mesh, opened.boxLines, model.home, before);
+    else look = { ...model.home, ...before };
+    document.body.dataset.shown = `${subject}.${tree}`;
+  };
+  let levelling = 0;
   const take = async (now) => {
+    // An answer may come behind one that was given later.
+    if (state && now.told < state.told) return;
     state = now;
     byId("status").textContent = now.status;
     byId("remark").textContent = now.remark;
@@ -100,20 +120,14 @@
     byId("scale").hidden = !now.scale;
     byId("scale-most").textContent = now.scale ?? "";
     byId("scale-told").textContent = now.cost;
+    byId("differ").textContent = now.differ;
+    byId("differ").hidden = !now.differ;
     if (now.subject !== subject || now.tree !== tree) {
-      const anew = now.subject !== subject;
+      const anew = now.subject !== subject, had = [subject, tree];
       [subject, tree] = [now.subject, now.tree];
-      const model = await (await ask("model")).json();
-      if (model) {
-        const before = opened && !anew ? { ...look } : model.home;
-        opened = await openModel(model);
-        // As long as there is no tree, the level that is wanted stays as it is.
-        if (model.boxes.count) level.max = Math.floor(Math.log2(model.boxes.count));
-        if (space) space.load(opened.mesh, opened.boxLines, before);
-        else look = before;
-        document.body.dataset.shown = `${subject}.${tree}`;
-      }
+      try { await load(anew, now); } catch (error) { [subject, tree] = had; throw error; }
     }
+    if (!levelling) [level.value, only.checked] = [now.level, now.only];
     tellNode(now);
     tellRay(now);
     show();
@@ -131,14 +145,28 @@
     image = version;
     traced.dataset.share = share;
   };
-  // One question after the other; when the program is gone, nobody is asked any more.
+  // One question after the other; one that fails is asked again, but not for ever.
   const again = async (action, pause) => {
-    try { for (;;) { await action().catch(lost); await new Promise((done) => setTimeout(done, pause)); } }
-    catch { byId("trouble").textContent = words.gone; byId("trouble").hidden = false; }
+    for (let failures = 0; ;) {
+      try { await action(); failures = 0; } catch (error) {
+        if (error instanceof Failed) lost(error);
+        else if (++failures === 6) {
+          byId("trouble").textContent = words.gone;
+          byId("trouble").hidden = false;
+          return lost(error);
+        }
+      }
+      await new Promise((done) => setTimeout(done, failures ? 100 * 2 ** failures : pause));
+    }
   };
 
-  level.addEventListener("input", () => { show(); wish("level", { level: Number(level.value), only: only.checked }); });
-  only.addEventListener("change", () => { show(); wish("level", { level: Number(level.value), only: only.checked }); });
+  const choose = () => {
+    show();
+    levelling++;
+    wish("level", { level: Number(level.value), only: only.checked }).finally(() => levelling--);
+  };
+  level.addEventListener("input", choose);
+  only.addEventListener("change", choose);
   mode.addEventListener("change", () => wish("mode", { mode: mode.value }));
   scene.addEventListener("change", () => wish("scene", { scene: scene.value }));
   byId("next-node").addEventListener("click", () => wish("next-node"));
@@ -150,7 +178,7 @@
   byId("again").addEventListener("click", () => wish("again"));
   const keys = { n: () => wish("next-node"), r: () => wish("next-ray"), ",": () => step(-1), ".": () => step(1) };
   document.addEventListener("keydown", (event) => {
-    if (!keys[event.key] || event.ctrlKey || event.metaKey || event.altKey || event.target.matches("input, select")) return;
+    if (!keys[event.key] || event.ctrlKey || event.metaKey || event.altKey || event.target.matches("select, [type=number]")) return;
     keys[event.key]();
   });
   byId("node").addEventListener("change", () => wish("node", { node: Number(byId("node").value) }));

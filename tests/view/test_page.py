@@ -1,0 +1,207 @@
+"""The page as a browser shows it: what hands do to it, and what it survives."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+from playwright.sync_api import Browser, Page, Route
+
+from tests.view import sources
+from tests.view.served import Open, opened
+
+PATIENCE = 240_000
+"""Milliseconds; only a machine that is much too busy needs more than a few seconds."""
+
+LEFT, RIGHT = (20, 23, 28), (24, 26, 31)
+"""Colours of what is empty."""
+
+
+def shown(house: Open, browser: Browser, noticed: list[str]) -> Page:
+    """Open the page in a browser, and note what goes wrong there."""
+    # What playwright waits for is evaluated, which the page's own policy forbids.
+    found = browser.new_page(viewport={"width": 1200, "height": 1000}, bypass_csp=True)
+    found.set_default_timeout(PATIENCE)
+    found.on("console", lambda one: noticed.extend([one.text] * (one.type == "error")))
+    found.on("pageerror", lambda error: noticed.append(str(error)))
+    found.goto(house.door.address)
+    return found
+
+
+@pytest.fixture
+def page(house: Open, browser: Browser) -> Iterator[Page]:
+    """Open the page in a browser in which nothing may go wrong."""
+    noticed: list[str] = []
+    found = shown(house, browser, noticed)
+    for wish in ({"what": "scene", "scene": "soup"}, {"what": "mode", "mode": "shaded"}):
+        assert house.ask("POST", house.at("do"), wish)[0] == 200
+    found.get_by_text("1,200 faces").wait_for()
+    found.locator("#traced[data-share='1']").wait_for()
+    yield found
+    found.close()
+    assert not noticed
+
+
+def test_the_page_does_what_hands_want(page: Page) -> None:
+    """Turn, follow a ray, step, look at a node, change the picture and the scene."""
+    box = page.locator("#traced").bounding_box()
+    assert box is not None
+    page.mouse.click(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    page.locator("#steps li").first.wait_for()
+    page.locator("#after").click()
+    page.locator("#steps [aria-current]").wait_for()
+    page.locator("#node").fill("2")
+    page.locator("#node").blur()
+    page.get_by_text("level 1, faces").wait_for()
+    page.locator("#mode").select_option("cost")
+    page.locator("#mode").blur()
+    page.locator("#scale").wait_for()
+    before = page.evaluate("document.getElementById('traced').toDataURL()")
+    page.locator("#stage").focus()
+    for _ in range(4):
+        page.keyboard.press("ArrowLeft")
+    page.wait_for_function(
+        "before => document.getElementById('traced').toDataURL() !== before", arg=before
+    )
+    page.locator("#scene").select_option("nested")
+    page.locator("#scene").blur()
+    page.get_by_text("11,008 faces").wait_for()
+
+
+def test_the_page_has_the_keys_and_buttons_of_the_window(page: Page) -> None:
+    """Steps by comma and period; W moves what is seen, and so does the right button."""
+    stage = page.locator("#stage").bounding_box()
+    traced = page.locator("#traced").bounding_box()
+    assert stage is not None
+    assert traced is not None
+    page.mouse.click(traced["x"] + traced["width"] / 2, traced["y"] + traced["height"] / 2)
+    page.locator("#steps li").nth(2).wait_for()
+    page.keyboard.press(".")
+    page.keyboard.press(".")
+    page.locator("#steps li:nth-child(2)[aria-current]").wait_for()
+    page.keyboard.press(",")
+    page.locator("#steps li:nth-child(1)[aria-current]").wait_for()
+    picture = "document.getElementById('traced').toDataURL()"
+    page.locator("#stage").focus()
+    before = page.evaluate(picture)
+    page.keyboard.press("w")
+    page.wait_for_function(f"before => {picture} !== before", arg=before)
+    page.locator("#traced[data-share='1']").wait_for()
+    before = page.evaluate(picture)
+    page.mouse.move(stage["x"] + 200, stage["y"] + 200)
+    page.mouse.down(button="right")
+    page.mouse.move(stage["x"] + 260, stage["y"] + 200, steps=3)
+    page.mouse.up(button="right")
+    page.wait_for_function(f"before => {picture} !== before", arg=before)
+    assert page.locator("#again").is_hidden()
+
+
+def test_both_halves_show_the_same(page: Page, tmp_path: Path) -> None:
+    """The scene's up is z, and neither half is rolled against the other."""
+    page.locator("#level").focus()
+    page.keyboard.press("Home")
+    page.get_by_text("\N{EN DASH}", exact=True).wait_for()
+    with page.expect_download() as saved:
+        page.locator("#save").click()
+    path = tmp_path / "both.png"
+    saved.value.save_as(path)
+    both = np.asarray(Image.open(path).convert("RGB")).astype(int)
+    side = (both.shape[1] - 8) // 2
+    drawn, traced = (
+        (np.abs(half - empty) > 3).any(axis=2)
+        for half, empty in ((both[:, :side], LEFT), (both[:, -side:], RIGHT))
+    )
+    assert 0.1 < traced.mean() < 0.9
+    assert 0.1 < drawn.mean() < 0.9
+    assert (drawn == traced).mean() > 0.97
+
+
+def test_what_the_program_knows_is_shown(page: Page, house: Open) -> None:
+    """How many pixels differ, the level that it chose, and why it does not do a thing."""
+    page.locator("#mode").select_option("difference")
+    page.locator("#mode").blur()
+    page.get_by_text("0 pixels differ", exact=True).wait_for()
+    assert (
+        house.ask("POST", house.at("do"), {"what": "level", "level": 3, "only": True})[0] == 200
+    )
+    page.wait_for_function("document.getElementById('level').value === '3'")
+    assert page.locator("#only").is_checked()
+    level = page.locator("#level")
+    level.focus()
+    page.keyboard.press("ArrowRight")
+    page.wait_for_function("document.getElementById('level-told').value === '4'")
+    assert house.ask("GET", house.at("state"))[1]["level"] == 4
+    page.locator("#only").uncheck()
+
+
+@pytest.mark.parametrize("what", ["state", "model"])
+def test_what_fails_once_is_asked_again(house: Open, browser: Browser, what: str) -> None:
+    """Also what cannot be read, and a refusal is told in its own words."""
+    page = shown(house, browser, [])
+    page.locator("#traced[data-share='1']").wait_for()
+    left = ["abort", "text", "abort"]
+
+    def fail(route: Route) -> None:
+        how = left.pop() if left else ""
+        if how == "abort":
+            route.abort()
+        elif how:
+            route.fulfill(status=200, body="{")
+        else:
+            route.continue_()
+
+    page.route(f"**/{what}", fail)
+    for scene, faces in (("nested", "11,008 faces"), ("soup", "1,200 faces")):
+        before = page.evaluate("document.body.dataset.shown")
+        page.locator("#scene").select_option(scene)
+        page.locator("#scene").blur()
+        page.get_by_text(faces).wait_for()
+        page.wait_for_function("old => document.body.dataset.shown !== old", arg=before)
+    assert not left
+    assert page.locator("#trouble").is_hidden()
+    page.locator("#node").fill("1e300")
+    page.locator("#node").blur()
+    page.get_by_text("node must be a number").wait_for()
+    page.close()
+
+
+def test_a_program_that_is_gone_is_told(house: Open, browser: Browser) -> None:
+    """After a few more questions."""
+    page = shown(house, browser, [])
+    page.locator("#traced[data-share='1']").wait_for()
+    page.route("**/state", lambda route: route.abort())
+    page.get_by_text("The program has ended").wait_for()
+    page.close()
+
+
+@pytest.mark.usefixtures("cache")
+@pytest.mark.parametrize(
+    ("source", "told"),
+    [
+        (sources.CRASHES_AT_THE_RIGHT, "SIGSEGV"),
+        (sources.HANGS_AT_THE_RIGHT, "did not come back"),
+    ],
+    ids=["crash", "hang"],
+)
+def test_the_page_outlives_the_submission(
+    browser: Browser, tmp_path: Path, source: str, told: str
+) -> None:
+    """It says what happened, runs it again, and shows the next build once that is saved."""
+    noticed: list[str] = []
+    file = tmp_path / "exercise03.cpp"
+    file.write_text(source)
+    with opened(file) as house:
+        page = shown(house, browser, noticed)
+        trouble, again = page.locator("#trouble"), page.locator("#again")
+        trouble.filter(has_text=told).wait_for()
+        assert "intersect, pixel (" in (trouble.text_content() or "")
+        again.click()
+        again.wait_for(state="hidden")
+        trouble.filter(has_text=told).wait_for()
+        file.write_text(sources.reference())
+        trouble.wait_for(state="hidden")
+        page.locator("#traced[data-share='1']").wait_for()
+        assert again.is_hidden()
+        page.close()
+    assert not noticed
