@@ -91,7 +91,7 @@ class Batch:
         if known is not None:
             if student.fault and (known.sha256 or known.reason):
                 # It was read by an earlier run: what we have is graded, and a person is told.
-                self._trouble(f"{student.name}: {student.fault}; the earlier file still counts")
+                self._trouble(f"{student.told}: {student.fault}; the earlier file still counts")
                 return
             student = replace(student, slug=known.slug, written=known.written)
             if student == known:
@@ -170,7 +170,7 @@ class Batch:
             if not self.job.preview:
                 self.store.forgive(self.job.settings)
         except OutputFault as fault:
-            self._trouble(f"{student.name}: the result is lost, grade again: {fault}")
+            self._trouble(f"{student.told}: the result is lost, grade again: {fault}")
             return
         result = json.loads(news.result.text)
         self.watch.finished(student, result["score"], result["max_score"])
@@ -181,14 +181,14 @@ class Batch:
         """Write down that it was us; the points are withheld."""
         student = self._leave(ticket)
         self.watch.finished(student, None, 0)
-        self._trouble(f"{student.name}: {why}")
+        self._trouble(f"{student.told}: {why}")
         if self.job.preview:
             return
         try:
             for one in list(self.store.same(student.sha256 or "")):
                 self.store.put(replace(one, fault=why, written=""), b"")
         except OutputFault as fault:
-            self._trouble(f"{student.name}: {fault}")
+            self._trouble(f"{student.told}: {fault}")
             return
         self._write(self.store.same(student.sha256 or ""))
 
@@ -217,7 +217,7 @@ class Batch:
             try:
                 self.results.write(student)
             except GraderError as fault:
-                self._trouble(f"{student.name}: {fault}")
+                self._trouble(f"{student.told}: {fault}")
 
     def _trouble(self, sentence: str) -> None:
         self.troubles += 1

@@ -20,7 +20,7 @@ FACES = 40_000
 
 RAYS = 16
 
-WIDTH, BUNDLE = 0.02, 0.3
+WIDTH, BUNDLE = 0.2, 0.3
 """Of a face, whose length is 3.5; radius of the bundle, in a cube of side 2."""
 
 DIAGONAL = (1.0, 1.0, 1.0)

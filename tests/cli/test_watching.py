@@ -134,7 +134,7 @@ def test_ctrl_c_ends_a_run_with_its_processes(tmp_path: Path) -> None:
     with watching(tmp_path, stand_in("content", "check", FILE)):
         words = tmp_path / "waits"
         until(lambda: words.exists() and is_running(words.read_text()), "the first run")
-    assert not is_running(words.read_text())
+    until(lambda: not is_running(words.read_text()), "its end, long before it ends by itself")
 
 
 def test_a_reader_that_goes_away_ends_the_watch(tmp_path: Path) -> None:

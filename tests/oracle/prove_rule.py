@@ -73,16 +73,6 @@ def too_much(name: str) -> bool:
     return name in ("cloud-0", "cloud-65539", "scaled-tiny", "scaled-huge", "one-point")
 
 
-def is_open(trial: TraceTrial, way: Way) -> bool:
-    """Tell whether the rule is known to reject what is right.
-
-    The thicket's faces are 175 times as long as they are wide. A normal from the two long edges
-    errs there by more than the tolerance, which is made of the two edges at the first corner.
-    """
-    on_thicket = trial.name.startswith("thicket")
-    return on_thicket and TRIANGLES[way.triangle] == "plane at v3" and way.real == "float"
-
-
 @dataclass(slots=True)
 class Count:
     """What was seen of one triangle test in one precision."""
@@ -188,7 +178,7 @@ def prove(size: Size, folder: Path) -> Proof:
     with ThreadPoolExecutor(2) as pool:
         tracers = list(pool.map(lambda each: compiled(each, folder), size.arithmetics))
         for number, trial in enumerate(trials_of(size)):
-            orders = [one for one in _orders(tracers, number) if not is_open(trial, one[1])]
+            orders = list(_orders(tracers, number))
             found = pool.map(lambda order, trial=trial: _traced(trial, *order), orders)
             for (tracer, way), t in zip(orders, found, strict=True):
                 proof.add(trial, t, way, tracer.arithmetic)
