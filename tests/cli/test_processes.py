@@ -59,8 +59,9 @@ def test_the_status_leaves_the_process(here: Path, sample: str, status: int) -> 
 
 def test_without_a_compiler_grading_says_what_to_install(here: Path, tmp_path: Path) -> None:
     """It is nobody's mistake: no result is written."""
+    (here / FILE).write_text('#include "bvh.h"\n')
     nowhere = {"PATH": str(tmp_path / "bin"), "BVHGRADE_CACHE": str(tmp_path / "cache")}
-    words = [sys.executable, "-m", "grader.cli", "grade", FILE]
+    words = [sys.executable, "-m", "grader", "grade", FILE, "--unsafe-no-isolation"]
     ended = run(here, words, **nowhere)
     assert ended.returncode == 3
     assert b"install the Debian package g++" in ended.stderr
