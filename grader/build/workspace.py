@@ -160,7 +160,7 @@ def _compile_framework(stub: Path, folder: Path, compiler: Compiler, flavour: Fl
     configure += [f"-DCMAKE_MAKE_PROGRAM={make}"]
     configure += [f"-DCMAKE_CXX_COMPILER={compiler.path}", "-DEX03_UNITY=ON"]
     _step([*configure, *flavour.options], compiler)
-    _step([cmake, "--build", build, "--target", "framework"], compiler)
+    _step([cmake, "--build", build, "--target", "framework", "confined"], compiler)
 
 
 def _program(name: str) -> str:

@@ -1,7 +1,7 @@
 """Classes for the tests: the same one as a folder and as a zip, and what is known of it."""
 
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
@@ -21,6 +21,9 @@ from tests.intake.archives import zipped
 Json = dict[str, Any]
 Files = Mapping[str, str | bytes]
 Found = dict[str, tuple[str, str, str]]
+
+Made = Callable[[Path, str, Files], Path]
+"""Makes a class of a name and files, in a folder."""
 
 CODE = "void BVH::construct(const Mesh&) {}\n"
 

@@ -3,21 +3,19 @@
 import csv
 import os
 import shutil
-import sqlite3
 from errno import EACCES
 from pathlib import Path
 
 import pytest
 
 from grader.batch.runner import Batch
-from grader.batch.store import Store, opened_store
-from grader.cli.batch import dropped
-from grader.errors import OutputFault, UsageError
+from grader.batch.store import Store
+from grader.errors import OutputFault
 from grader.intake.handed_in import handed_in
 from grader.kept import Result
 from grader.report.as_json import to_text
 from tests.batch.classes import CODE, folder_of, grade, points, results, zip_of
-from tests.batch.stand_in import SETTINGS, begun, job
+from tests.batch.stand_in import begun, job
 from tests.report import samples
 
 TEXT = to_text(samples.perfect())
@@ -269,43 +267,3 @@ def test_an_archive_that_breaks_its_reader_stops_nobody(
     path = folder_of(tmp_path, "class", {"ada.cpp": CODE, "bob.cpp": "b"})
     totals, _ = grade(path, job(tmp_path / "out"))
     assert (totals.graded, totals.withheld) == (1, 1)
-
-
-def test_a_second_batch_is_kept_away(tmp_path: Path) -> None:
-    """Two would grade everything twice and write over each other."""
-    other = opened_store(tmp_path)
-    with opened_store(tmp_path), pytest.raises(UsageError, match="another batch"):
-        other.__enter__()
-    with opened_store(tmp_path) as store:
-        store.know(SETTINGS)
-        assert store.current() == SETTINGS
-
-
-def test_a_store_of_another_version_is_left_alone(tmp_path: Path) -> None:
-    """Neither read wrongly nor changed."""
-    with sqlite3.connect(tmp_path / "batch.sqlite") as base:
-        base.execute("PRAGMA user_version = 99")
-    base.close()
-    with pytest.raises(UsageError, match="version 99"), opened_store(tmp_path):
-        pass
-
-
-def test_a_file_that_is_no_store_is_left_alone(tmp_path: Path) -> None:
-    """Somebody else's file of this name."""
-    (tmp_path / "batch.sqlite").write_bytes(b"this is no data base at all" * 100)
-    with pytest.raises(UsageError, match="no store of results"), opened_store(tmp_path):
-        pass
-
-
-def test_a_student_can_be_taken_out(
-    tmp_path: Path, log: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    """By the name of the folder, which the table tells; the others stay as they are."""
-    out = job(tmp_path / "out")
-    grade(folder_of(tmp_path, "class", {"ada.cpp": CODE, "bob.cpp": "b"}), out)
-    with pytest.raises(UsageError, match="no student's folder is called eve"):
-        dropped(out, "eve")
-    assert dropped(out, "ada") == 0
-    assert "ada: taken out of the class\n1 graded" in capsys.readouterr().out
-    assert points(tmp_path / "out") == {"bob": 50}
-    assert "ada" not in (tmp_path / "out/class.csv").read_text()

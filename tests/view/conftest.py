@@ -13,6 +13,7 @@ from grader.view.stage import Stage
 from grader.view.subject import Subject
 from tests.compiled import engine_of, library_of
 from tests.view import sources
+from tests.view.found import middle
 from tests.view.served import Open, opened
 
 Compiled = Callable[[str], Engine]
@@ -80,3 +81,11 @@ def house(cache: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Ope
     file.write_text(sources.reference())
     with opened(file) as found:
         yield found
+
+
+@pytest.fixture
+def file(cache: Path, tmp_path: Path) -> Path:
+    """Give a submission that loses half of the rays."""
+    path = tmp_path / "exercise03.cpp"
+    path.write_text(sources.tracing(f"if (ray.direction.y > {middle()}) {{ return {{}}; }}"))
+    return path

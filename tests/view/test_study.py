@@ -5,99 +5,24 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from grader.cli.progress import silent
-from grader.counterexample.written import to_text
 from grader.errors import UsageError
-from grader.model.counterexample import Counterexample
-from grader.model.mesh import Mesh, Rays
 from grader.model.trials import (
-    AlteredTrial,
     ConstructTrial,
-    ImageTrial,
-    RebuildTrial,
     RepeatTrial,
     TraceTrial,
     Trial,
     WorkTrial,
 )
-from grader.options import Options
-from grader.oracle.balanced import balanced_tree
-from grader.oracle.brute import answers
-from grader.oracle.meshes import mesh_named
 from grader.run.transfer import ray_table
-from grader.view.desk import Desk, Mode
+from grader.view.desk import Desk
 from grader.view.panes import pixel_at
-from grader.view.picture import shown
 from grader.view.screenshot import wait
-from grader.view.status import status
 from grader.view.study import Study
-from grader.view.subject import Subject, of_file, of_trial, told_of
+from grader.view.subject import of_file, of_trial, told_of
 from grader.view.walking import Followed, expected_of, is_wrong, outcome_of
-from tests.verify.builder import build, soup
 from tests.view import sources
+from tests.view.found import MESH, MESSAGE, OPTIONS, REMARK, aimed, middle, stored, trials
 from tests.view.shown import confetti, until
-
-OPTIONS = Options(41, None, (), silent, isolated=False)
-MESSAGE = "what the check said \x1b of it"
-REMARK = "hits.closest-wins, when this was found: what the check said \\x1b of it"
-MESH, OTHER = soup(30), soup(12, seed=5)
-
-
-def aimed(mesh: Mesh) -> Rays:
-    """Aim at the middles of some faces, from afar."""
-    target = mesh.vertices[mesh.faces[:6]].mean(axis=1)
-    origin = np.tile(np.array([[-6.0, 0.3, 0.2]], np.float32), (len(target), 1))
-    count = len(target)
-    return Rays(
-        origin,
-        (target - origin).astype(np.float32),
-        np.zeros(count, np.float32),
-        np.full(count, np.inf, np.float32),
-    )
-
-
-def middle() -> float:
-    """Divide the rays into those that are lost and the others."""
-    return float(np.median(aimed(MESH).direction[:, 1]))
-
-
-def trials() -> list[Trial]:
-    """Make one of each kind."""
-    tree, rays = build(MESH), aimed(MESH)
-    found = answers(MESH, rays, balanced_tree(MESH))
-    others = answers(OTHER, rays, balanced_tree(OTHER))
-    count = len(rays.t_min)
-    none = np.zeros(count, np.bool_)
-    families = ("aimed",), np.zeros(count, np.int64)
-    return [
-        ConstructTrial("construct", MESH),
-        ConstructTrial("empty", soup(0)),
-        ConstructTrial("tiny", mesh_named(41, "scaled-tiny")),
-        ConstructTrial("huge", mesh_named(41, "scaled-huge")),
-        RebuildTrial("rebuild", MESH, OTHER),
-        TraceTrial("trace", MESH, tree, rays, found, *families, special=False),
-        AlteredTrial("altered", MESH, tree, rays, found, none, "nothing"),
-        WorkTrial("work", MESH, tree, rays, 1.0, 1.0),
-        RepeatTrial("repeat", MESH, tree, OTHER, build(OTHER), rays, found, others),
-        ImageTrial("image", MESH, tree, count, 1, rays, found, found.limit.astype(np.float32)),
-    ]
-
-
-def stored(trial: Trial, folder: Path) -> Subject:
-    """Write a counterexample as the grader does, and open the file."""
-    rays = 0 if isinstance(trial, ConstructTrial | RebuildTrial) else len(trial.rays.t_min)
-    found = Counterexample("hits.closest-wins", trial, 30, rays, trial.name, MESSAGE, "", "")
-    file = folder / "found.json"
-    file.write_text(to_text(found))
-    return of_file(file)
-
-
-@pytest.fixture
-def file(cache: Path, tmp_path: Path) -> Path:
-    """Give a submission that loses half of the rays."""
-    path = tmp_path / "exercise03.cpp"
-    path.write_text(sources.tracing(f"if (ray.direction.y > {middle()}) {{ return {{}}; }}"))
-    return path
 
 
 def told_rightly(study: Study, judged: bool) -> None:
@@ -231,114 +156,6 @@ def test_the_first_wrong_ray_is_followed(file: Path, tmp_path: Path) -> None:
         assert study.walk.sentence
         assert study.strokes()
         study.close()
-
-
-def test_the_submission_is_built_anew_when_it_is_saved(file: Path) -> None:
-    """One save makes one new build, also after a file that does not compile."""
-    with Desk(file, OPTIONS, lambda: of_trial("x", trials()[3])) as desk:
-        study = Study(desk)
-        wait(desk, study)
-        before = desk.stage
-        file.write_text("oops")
-        until(lambda: desk.product is not None and desk.product.engine is None, desk.advance)
-        assert desk.product is not None
-        assert desk.product.diagnostics
-        assert desk.stage is before
-        assert desk.stage is not None
-        assert desk.stage.tree is not None
-        assert "the last build that did" in status(desk, str)
-        file.write_text(sources.reference())
-        until(
-            lambda: desk.product is not None and desk.product.engine is not None, desk.advance
-        )
-        until(lambda: desk.stage is not None and desk.stage.traced.is_done, desk.advance)
-        study.close()
-
-
-def test_after_a_save_one_looks_at_the_same(file: Path) -> None:
-    """The same node and the same ray, whatever was compiled in between."""
-    with Desk(file, OPTIONS, confetti) as desk:
-        study = Study(desk)
-        desk.resize(24, 24)
-        wait(desk, study)
-        study.select(0)
-        study.follow((12, 11))
-        until(lambda: study.walk is not None, lambda: desk.advance() | study.advance())
-        assert study.walk is not None
-        old, ray = desk.stage, study.walk.ray
-        file.write_text(sources.reference())
-        until(
-            lambda: desk.stage is not old and study.walk is not None and not study.is_busy,
-            lambda: desk.advance() | study.advance(),
-        )
-        assert study.walk.title == "pixel (12, 11)"
-        assert (study.walk.ray == ray).all()
-        assert study.pixel == (12, 11)
-        assert study.facts is not None
-        desk.choose(lambda: confetti(30))
-        until(lambda: desk.subjects == 2, lambda: desk.advance() | study.advance())
-        study.advance()
-        assert not any((study.walk, study.facts))
-        assert study.pixel == (-1, -1)
-        study.close()
-
-
-def test_the_next_failing_ray_comes_by_itself(file: Path) -> None:
-    """Also if nothing was compared before; it is told where the model solution hits."""
-    with Desk(file, OPTIONS, confetti) as desk:
-        study = Study(desk)
-        desk.resize(24, 24)
-        wait(desk, study)
-        study.next_ray()
-        assert "looking" in study.remark
-        until(lambda: not study.is_busy, lambda: desk.advance() | study.advance())
-        assert desk.mode is Mode.DIFFERENCE
-        assert not study.remark
-        assert study.walk is not None
-        assert study.walk.expected is not None
-        assert is_wrong(study.walk)
-        study.close()
-
-
-@pytest.mark.parametrize("turns", [False, True], ids=["right", "turned"])
-def test_wrong_normals_differ(file: Path, turns: bool) -> None:
-    """A picture of right distances is right only if its shades are, too."""
-    source = sources.given()
-    if turns:
-        source = source.replace(
-            sources.END, f"    closest.normal = {{1, 0, 0}};\n{sources.END}"
-        )
-    file.write_text(source)
-    with Desk(file, OPTIONS, confetti) as desk:
-        study = Study(desk)
-        desk.resize(24, 24)
-        wait(desk, study)
-        study.next_ray()
-        until(lambda: not study.is_busy, lambda: desk.advance() | study.advance())
-        if turns:
-            assert study.walk is not None
-            assert not is_wrong(study.walk)
-            assert "normal" in study.walk.sentence
-        else:
-            assert study.remark == "no pixel differs"
-        wait(desk, study)
-        seen = shown(desk)
-        assert seen is not None
-        assert (seen.wrong > 0) == turns
-        study.close()
-
-
-def test_where_construct_crashes_ours_takes_its_place(file: Path) -> None:
-    """The rays are traced all the same, and what happened is still told."""
-    file.write_text(sources.CRASHES_IN_CONSTRUCT)
-    mesh = of_trial("x", ConstructTrial("x", MESH))
-    scene = Subject("few", "few", mesh.mesh, mesh.home)
-    with Desk(file, OPTIONS, lambda: scene) as desk:
-        wait(desk, Study(desk))
-        assert desk.stage is not None
-        assert desk.stage.trouble.startswith("construct: ")
-        assert desk.stage.tree is not None
-        assert desk.stage.traced.is_done
 
 
 def test_a_file_of_another_kind_is_refused(tmp_path: Path) -> None:

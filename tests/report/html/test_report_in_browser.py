@@ -17,8 +17,8 @@ from grader.report.views import to_json as views_json
 from tests.browser import chromium
 from tests.report import samples
 from tests.report.html.conftest import Visit
+from tests.report.html.pages import spoilt
 from tests.report.html.shown import flat_model, undrawn_views
-from tests.report.html.test_submission_page import spoilt
 
 RED, GREEN = (0, 85), (1, 55)
 """Channels of a wrong box and of what it should be, and how far each outshines the others."""
