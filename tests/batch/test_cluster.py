@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import pytest
+from distributed import Client
 
 from grader.batch.cluster import Cluster, require_versions
 from grader.batch.settings import settled
@@ -13,7 +14,7 @@ from grader.errors import UsageError, WorkerFault
 from grader.sandbox.office import News
 from grader.score.rubric import SHIPPED
 from tests.batch.classes import CODE, Json, comparable, folder_of, grade, points
-from tests.batch.clusters import Machines, machines
+from tests.batch.clusters import PATIENCE, Machines, machines
 from tests.batch.stand_in import LOG, WISH, begun, job
 from tests.oracle.own import own_folder
 
@@ -27,6 +28,8 @@ def shared(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Machines]:
     """Two workers for all tests that kill none of them."""
     folder = tmp_path_factory.mktemp("machines")
     with machines(folder, **{LOG: str(folder / "log")}) as cluster:
+        with Client(cluster.address, set_as_default=False) as client:
+            client.wait_for_workers(2, PATIENCE)
         yield cluster
 
 
