@@ -89,7 +89,8 @@ def test_two_runs_say_the_same_of_a_mistake(
     path = corpus_folder() / "wrong" / "first-hit-wins.cpp"
     found = []
     for folder in (tmp_path / "first", tmp_path / "second"):
-        drawn(path, folder, "hits.closest-wins", "hits.special-rays")
+        verdicts = drawn(path, folder, "hits.closest-wins", "hits.special-rays")
+        assert set(verdicts.values()) == {Verdict.FAIL}
         result = json.loads((folder / "result.json").read_text())
         assert all(one["counterexample"] for one in result["checks"] if one["wrong"])
         del result["timing"], result["provenance"]["cpu"]

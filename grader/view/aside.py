@@ -22,7 +22,12 @@ def outcome(done: "Future[Value]") -> Value | GraderError:
         return fault
     if not isinstance(fault, Exception):
         raise fault
+    return failed(fault)
+
+
+def failed(fault: Exception) -> WorkerFault:
+    """Word a fault of the viewer itself."""
     kind = one_line(f"{type(fault).__name__}: {fault}", 200)
-    made = WorkerFault(f"the viewer itself failed ({kind}), and goes on")
+    made = WorkerFault(f"the viewer itself failed ({kind})")
     made.__cause__ = fault
     return made

@@ -26,12 +26,6 @@ def mode(name: object) -> Mode:
     raise UsageError("there is no such picture")
 
 
-def within(pixel: tuple[int, int], size: tuple[int, int]) -> tuple[int, int]:
-    """Return the nearest pixel of a picture."""
-    column, row = (min(max(at, 0), most - 1) for at, most in zip(pixel, size, strict=True))
-    return column, row
-
-
 def number(given: Mapping[str, Any], name: str, most: float) -> float:
     """Read a number.
 

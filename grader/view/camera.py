@@ -143,6 +143,12 @@ def rays_of(orbit: Orbit, width: int, height: int, pixels: Integers) -> Floats:
     return table
 
 
+def within(pixel: tuple[int, int], size: tuple[int, int]) -> tuple[int, int]:
+    """Return the nearest pixel of a picture; columns and rows, widths and heights."""
+    column, row = (min(max(at, 0), most - 1) for at, most in zip(pixel, size, strict=True))
+    return column, row
+
+
 def projection(orbit: Orbit, width: int, height: int) -> Floats:
     """Return the (4, 4) float32 matrix from world space to a screen's clip space.
 

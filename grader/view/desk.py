@@ -108,6 +108,7 @@ class Desk:
 
     def choose(self, load: Load) -> None:
         """Show something else, once it is loaded."""
+        self._faults.pop("load", None)
         self._loading = self._aside.submit(_loaded, load)
 
     def choose_scene(self, name: str) -> None:
@@ -116,6 +117,7 @@ class Desk:
 
     def rebuild(self) -> None:
         """Compile what lies there now."""
+        self._faults.pop("build", None)
         self._builds.begin()
 
     @property

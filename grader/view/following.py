@@ -32,23 +32,20 @@ class Following:
     def __init__(self) -> None:
         """Ask for nothing."""
         self._asked: _Asked | None = None
-        self.last: Followed | None = None
-        """What was asked for last, whatever came of it."""
 
     @property
-    def is_waiting(self) -> bool:
-        """Whether an answer is still to come."""
-        return self._asked is not None
+    def pending(self) -> Followed | None:
+        """The ray whose answer is still to come."""
+        return self._asked.of if self._asked else None
 
     def forget(self) -> None:
         """Wait for nothing any more."""
-        self._asked = self.last = None
+        self._asked = None
 
     def ask(self, stage: Stage, of: Followed) -> bool:
         """Ask for the way of a ray; tells whether the process takes questions."""
         if stage.state is not State.TRACING:
             return False
-        self.last = of
         self._asked = _Asked(stage.record(of.ray, of.title), of)
         return True
 

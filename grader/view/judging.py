@@ -5,7 +5,7 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from grader.errors import GraderError
 from grader.model.mesh import Bvh
 from grader.view.aside import outcome
-from grader.view.inspector import Judgement, judgement, unjudged
+from grader.view.inspector import Judgement, judgement
 from grader.view.stage import Stage
 
 JUDGED_AT_ONCE = 50_000
@@ -21,6 +21,8 @@ class Judging:
         self._coming: Future[Judgement] | None = None
         self._of: Bvh | None = None
         self.known: Judgement | None = None
+        self.failed = ""
+        """Why nothing will be known, which is our fault; empty if nothing is in the way."""
 
     @property
     def is_busy(self) -> bool:
@@ -34,6 +36,7 @@ class Judging:
     def forget(self) -> None:
         """Know nothing any more."""
         self._coming = self._of = self.known = None
+        self.failed = ""
 
     def advance(self, stage: Stage, wanted: bool) -> bool:
         """Have the stage's tree judged; tells whether it just was.
@@ -42,7 +45,8 @@ class Judging:
             stage: What is looked at.
             wanted: Whether somebody looks at a node, so that a large tree is judged, too.
         """
-        mesh, tree = stage.subject.mesh, stage.tree
+        # A tree that the subject brings along is ours, and may be altered on purpose.
+        mesh, tree = stage.subject.mesh, None if stage.subject.tree else stage.tree
         wanted = wanted or len(mesh.faces) <= JUDGED_AT_ONCE
         if tree is not None and self._of is not tree and wanted:
             self._of = tree
@@ -52,6 +56,7 @@ class Judging:
         coming, self._coming = self._coming, None
         came = outcome(coming)
         if isinstance(came, GraderError):
-            came = unjudged(str(came))
-        self.known = came
+            self.failed = str(came)
+        else:
+            self.known = came
         return True

@@ -6,7 +6,10 @@ from pathlib import Path
 
 from grader.errors import UsageError
 from grader.language import Words
+from grader.model.grade import CheckScore
+from grader.model.verdict import Verdict
 from grader.options import Options
+from grader.plain import as_name, one_line
 from grader.report.facts import counterexample_file
 from grader.selection import require_check
 from grader.view.desk import Desk, Load
@@ -73,7 +76,9 @@ def _shown(wish: Wish, study: Study, desk: Desk, web: bool, picture: Path | None
     else:
         from grader.view.window import Window, opened
 
-        opened(Window(desk, study, names, wish.words), f"bvhgrade view {wish.path.name}")
+        opened(
+            Window(desk, study, names, wish.words), f"bvhgrade view {as_name(wish.path.name)}"
+        )
     if is_vain(desk) and desk.fault is not None:
         raise desk.fault
     return ""
@@ -113,12 +118,23 @@ def _searched(wish: Wish, check: str) -> Subject:
     """Grade for this check alone, and show the smallest input that fails it.
 
     Raises:
-        UsageError: It does not fail.
+        UsageError: It does not fail, cannot be decided, or only on inputs that are not small.
     """
     from grader.pipeline import grade_one
 
     grade = grade_one(wish.path, replace(wish.options, only=(check,), counterexamples=True))
-    found = [one.counterexample for one in grade.checks if one.check == check]
-    if not found or found[0] is None:
-        raise UsageError(f"{check}: there is no input that fails it")
-    return of_trial(check, found[0].trial, found[0].message)
+    one = next((one for one in grade.checks if one.check == check), None)
+    if one is None or one.counterexample is None:
+        raise UsageError(f"{check}: {_why_none(one)}")
+    return of_trial(check, one.counterexample.trial, one.counterexample.message)
+
+
+def _why_none(one: CheckScore | None) -> str:
+    """Say why there is no input to show."""
+    if one is not None and one.verdict is Verdict.PASS:
+        return "it passes, so there is no input that fails it"
+    if one is not None and one.verdict is Verdict.FAIL:
+        return f"it fails, but no small input was found: {one_line(one.message)}"
+    if one is not None and one.blocked_by:
+        return f"it is not decided, because {one.blocked_by} fails first"
+    return f"it is not decided: {one_line(one.message)}" if one else "it is not graded"

@@ -148,7 +148,7 @@ class Panel:
         if walk is None:
             imgui.text_wrapped(words("Click a pixel on the right to follow its ray."))
             return
-        imgui.text(f"{walk.title}: {outcome_of(walk, words)}")
+        imgui.text(f"{walk.of.title}: {outcome_of(walk, words)}")
         if right_of(walk, words):
             imgui.text(right_of(walk, words))
         if walk.sentence:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from grader.model.mesh import Bytes
-from grader.view.camera import Orbit
+from grader.view.camera import Orbit, within
 from grader.view.desk import Desk
 from grader.view.overlay import projected
 from grader.view.panel import colour_of
@@ -191,4 +191,4 @@ def pixel_at(
 ) -> tuple[int, int]:
     """Return column and row of what is traced at a place in a pane, which may be larger."""
     column, row = (int(place[axis] * traced[axis] / size[axis]) for axis in (0, 1))
-    return min(max(column, 0), traced[0] - 1), min(max(row, 0), traced[1] - 1)
+    return within((column, row), traced)

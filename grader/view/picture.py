@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from enum import Enum
+from typing import Any
 
 import numpy as np
 
@@ -11,7 +12,7 @@ from grader.report.colours import HEAT
 from grader.view.desk import Desk, Mode
 from grader.view.inspector import next_of
 from grader.view.shades import BACKGROUND, coloured, differing, heat, is_hit
-from grader.view.stage import State
+from grader.view.stage import Stage, State
 from grader.view.traced import Traced
 
 BRIGHTEST = 99
@@ -84,16 +85,16 @@ def wrong_pixels(desk: Desk) -> np.ndarray | None:
     yours, ours = desk.stage.traced, desk.rival.traced
     if yours.t.shape != ours.t.shape or yours.orbit != ours.orbit:
         return None
-    apart = differing(yours.t, ours.t) | _other_shade(yours, ours)
-    # Blocks that not both have painted as finely are not comparable yet.
-    fine = yours.fine & ours.fine
-    return np.asarray(apart & fine)
+    return _other(yours, ours, ...)
 
 
-def _other_shade(yours: Traced, ours: Traced) -> Mask:
-    """(H, W) bool, where both hit something, but the normals are not alike."""
-    both = is_hit(yours.t) & is_hit(ours.t)
-    return np.asarray(both & (np.abs(yours.bright.astype(np.int16) - ours.bright) > SHADE))
+def _other(yours: Traced, ours: Traced, where: Any) -> Mask:  # noqa: ANN401 - numpy's index
+    """(...) bool, where t or the shade differs and both have painted as finely as can be."""
+    t = yours.t[where], ours.t[where]
+    both = is_hit(t[0]) & is_hit(t[1])
+    step = np.abs(yours.bright[where].astype(np.int16) - ours.bright[where])
+    apart = differing(*t) | (both & (step > SHADE))
+    return np.asarray(apart & yours.fine[where] & ours.fine[where])
 
 
 def next_wrong(desk: Desk, after: tuple[int, int]) -> tuple[int, int] | None:
@@ -104,7 +105,8 @@ def next_wrong(desk: Desk, after: tuple[int, int]) -> tuple[int, int] | None:
         after: Column and row; negative to begin at the start.
     """
     mask = wrong_pixels(desk)
-    if mask is None:
+    # Right after a move the picture is still the one before, seen from elsewhere.
+    if mask is None or not _is_current(desk, desk.stage):
         return None
     column, row = after
     place = next_of(np.flatnonzero(mask), row * mask.shape[1] + column if column >= 0 else -1)
@@ -117,7 +119,8 @@ def comparison(desk: Desk) -> Comparison:
     if desk.is_loading or desk.is_building or desk.lacks_tree:
         return Comparison.GOES_ON
     if len(stages) < 2 or any(
-        one.state is State.ENDED and not one.traced.is_done for one in stages
+        one.state is State.ENDED and not (one.traced.is_done and _is_current(desk, one))
+        for one in stages
     ):
         return Comparison.CUT_SHORT
     done = all(one.traced.is_done for one in stages)
@@ -147,13 +150,18 @@ def compared(desk: Desk, pixel: tuple[int, int], words: Words) -> tuple[float | 
     if desk.stage is None or desk.rival is None:
         return None, ""
     yours, ours, place = desk.stage.traced, desk.rival.traced, pixel[::-1]
-    if ours.orbit != desk.orbit or ours.t.shape != desk.size[::-1] or not ours.fine[place]:
+    if not _is_current(desk, desk.rival) or not ours.fine[place]:
         return None, ""
-    mask = wrong_pixels(desk)
-    note = ""
-    if mask is not None and mask[place] and not differing(yours.t, ours.t)[place]:
+    note, t = "", (yours.t[place], ours.t[place])
+    if _is_current(desk, desk.stage) and _other(yours, ours, place) and not differing(*t):
         note = words("t is right, but the normal is not the model solution's")
     return float(ours.t[place]), note
+
+
+def _is_current(desk: Desk, stage: Stage | None) -> bool:
+    """Tell whether what is traced is the view that is wanted."""
+    traced = stage.traced if stage else None
+    return bool(traced and traced.orbit == desk.orbit and traced.t.shape == desk.size[::-1])
 
 
 def _costs(traced: Traced) -> Shown:

@@ -88,12 +88,12 @@ def wait(desk: Desk, study: Study) -> str:
     while not _is_done(desk, study):
         if not desk.advance() | study.advance():
             time.sleep(PAUSE_SECONDS)
-        if desk.fault is not None:
-            raise desk.fault
         product = desk.product
         if product is not None and product.engine is None:
             said = [f"{one.line}: {one.text}" for one in product.diagnostics[:1]]
             return product.refused or " ".join([study.words("It does not compile."), *said])
+        if desk.fault is not None:
+            raise desk.fault
     return ""
 
 

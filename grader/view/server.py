@@ -20,7 +20,7 @@ import click
 
 from grader.errors import UsageError
 from grader.language import Words, usual_language
-from grader.plain import one_line
+from grader.plain import as_name, one_line
 from grader.report.html.page import page
 from grader.view.asked import Unanswered
 from grader.view.desk import Desk
@@ -65,7 +65,7 @@ def written(desk: Desk, scenes: Sequence[str], words: Words) -> str:
         "lost": words("lost here"),
         "gone": words("The program has ended; start it again."),
     }
-    name = f"bvhgrade view {desk.path.name}"
+    name = f"bvhgrade view {as_name(desk.path.name)}"
     values = {
         "title": name,
         "name": name,

@@ -19,7 +19,9 @@ from grader.model.views import Model, ShownRay
 from grader.plain import one_line
 from grader.report.views import model_json, ray_json
 from grader.verify.check import vector
-from grader.view.asked import Unanswered, mode, number, numbers, within
+from grader.view.aside import failed
+from grader.view.asked import Unanswered, mode, number, numbers
+from grader.view.camera import within
 from grader.view.desk import Desk
 from grader.view.inspector import NodeFacts, some_faces
 from grader.view.picture import Shown, shown
@@ -88,7 +90,7 @@ class Service:
         except UsageError as fault:
             answer.set_exception(fault)
         except Exception as fault:  # noqa: BLE001 - one question is lost, not the viewer
-            answer.set_exception(Unanswered(self._failed(fault)))
+            answer.set_exception(Unanswered(str(failed(fault))))
 
     def advance(self) -> None:
         """Look how far everything is."""
@@ -216,10 +218,6 @@ class Service:
         desk.level = min(desk.level, DEEPEST_SENT)
         return self.state()
 
-    def _failed(self, fault: Exception) -> str:
-        words, kind = self._words, one_line(f"{type(fault).__name__}: {fault}", 200)
-        return words("the viewer itself failed ({kind}), and goes on").format(kind=kind)
-
     def _trouble(self) -> str:
         desk = self._desk
         fault = desk.fault or self._own_fault
@@ -275,7 +273,7 @@ class Service:
             sentence=one_line(walk.sentence),
             steps=walk.steps,
         )
-        came = f"{walk.title}: {outcome_of(walk, words)}"
+        came = f"{walk.of.title}: {outcome_of(walk, words)}"
         told = ", ".join(filter(None, (came, right_of(walk, words))))
         told = f"{told}. {made.sentence} {cut_off(walk, words)}".strip()
         return {**ray_json(made), "told": told, "total": walk.total}

@@ -113,7 +113,9 @@ class Stage:
         Returns:
             Its row, as `Live.record` has it.
         """
-        row = self.live.record(ray)
+        row, done = self.live.record(ray), self.live.rows_done
+        # It can end in none of those that are done.
+        self._rays = {one: told for one, told in self._rays.items() if one >= done}
         self._rays[row] = name
         return row
 

@@ -4,8 +4,7 @@ import numpy as np
 
 from grader.language import Words
 from grader.run.transfer import ray_table
-from grader.view.asked import within
-from grader.view.camera import rays_of
+from grader.view.camera import rays_of, within
 from grader.view.desk import Desk, Mode
 from grader.view.following import Following, Place, again
 from grader.view.inspector import Judgement, NodeFacts, facts_of, next_of, picked
@@ -14,7 +13,7 @@ from grader.view.overlay import Stroke, of_both
 from grader.view.picture import Comparison, compared, comparison, next_wrong, remark_of
 from grader.view.stage import Stage, State
 from grader.view.subject import told_of
-from grader.view.walking import Followed, Walk, deepest_known, expected_of, is_wrong, unanswered
+from grader.view.walking import Followed, Judged, Walk, deepest_known, unanswered
 from grader.view.workshop import Product
 
 
@@ -82,7 +81,7 @@ class Study:
         """Whether something that was asked for is still to come."""
         stage = self._desk.stage
         begins = stage is not None and bool(stage.subject.check) and not self._begun
-        waits = self._following.is_waiting or self._judging.is_busy
+        waits = self._following.pending is not None or self._judging.is_busy
         return begins or waits or self._hunting
 
     def select(self, node: int) -> None:
@@ -104,7 +103,11 @@ class Study:
     def next_node(self) -> None:
         """Look at the next node that is wrong."""
         self.remark = ""
-        if self.judgement is None:
+        if self._stage is not None and self._stage.subject.tree is not None:
+            self.remark = self.words("the tree is the model solution's")
+        elif self._judging.failed:
+            self.remark = self._judging.failed
+        elif self.judgement is None:
             self._onward = True
         elif self.judgement.unreadable:
             self.remark = self.judgement.unreadable
@@ -154,7 +157,9 @@ class Study:
     def _renew(self, stage: Stage | None) -> None:
         """Forget what another process told; keep where one was, if it has the same mesh."""
         old, product = self._stage, self._desk.product
-        ray = self._following.last
+        ray = self.walk.of if self.walk else None
+        # What was asked for, if it was not only on the way to a wrong one.
+        ray = ray if self._failing else self._following.pending or ray
         if self.walk is not None and not self.walk.came_back and product is self._product:
             # The same build would only end in it again.
             ray = None
@@ -174,18 +179,19 @@ class Study:
     def _return(self, stage: Stage) -> bool:
         """Look at what one looked at before."""
         place = self._place
-        if place is None or stage.state is not State.TRACING:
+        if place is None or stage.tree is None or stage.state is State.CONSTRUCTING:
             return False
         self._place, self._begun = None, True
         self.remark = told_of(stage.subject, self.words)
         if place.node >= 0:
             self.select(place.node)
         if place.ray is not None:
+            self._index = place.ray.index
             self._ask(again(place.ray), failing=False)
         return True
 
     def _judge(self, stage: Stage) -> bool:
-        """Judge the submission's own tree aside; ours needs no judge."""
+        """Have the tree judged aside."""
         if not self._judging.advance(stage, self._onward or self.facts is not None):
             return False
         if self.facts is not None:
@@ -216,7 +222,7 @@ class Study:
             self._wished = False
             self._follow_given(stage, 0, failing=True)
         elif stage.tree is not None:
-            if self.judgement is None:
+            if self.judgement is None and not self._judging.failed:
                 return False
             if not self._to_wrong_node():
                 self.select(0)
@@ -242,8 +248,7 @@ class Study:
 
     def _next_given(self, stage: Stage) -> None:
         """Follow the next wrong ray of a counterexample; of unknown ones simply the next."""
-        last = self._following.last
-        known = last is not None and expected_of(last) is not None
+        known = isinstance(stage.subject.trial, Judged)
         self._wished = True
         if not self._follow_given(stage, self._index + 1, failing=known):
             self._pass_last(known)
@@ -282,7 +287,7 @@ class Study:
         if came is None:
             return False
         of, walk = came
-        onward = self._failing and walk.expected is not None and not is_wrong(walk)
+        onward = self._failing and walk.wrong is False
         if onward and not self._follow_given(stage, of.index + 1, failing=True):
             self._pass_last(known=True)
         # Until a wrong one is found, the first is better than none.

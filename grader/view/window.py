@@ -133,10 +133,11 @@ class Window:
 
     def _is_busy(self, panes: Panes) -> bool:
         """Whether the next frame will show something else, though nobody touches anything."""
-        stage = self.desk.stage
+        desk, stage = self.desk, self.desk.stage
         tracing = stage is not None and stage.is_tracing
         # While something is loaded or compiled, ten frames a second leave it the processor.
-        return bool(tracing or self.study.is_busy or not panes.is_settled)
+        waits = self.study.is_busy and not (desk.is_loading or desk.is_building)
+        return bool(tracing or waits or not panes.is_settled)
 
     def _keys(self, imgui: ModuleType, panes: Panes) -> None:
         act(imgui, self.study, self._reset)

@@ -7,7 +7,7 @@ import pytest
 
 from grader.batch.runner import Batch
 from grader.cli.export import exported
-from tests.batch.classes import CODE, folder_of, grade
+from tests.batch.classes import CODE, folder_of, grade, points
 from tests.batch.stand_in import job
 
 ASKED = dict.fromkeys(("language", "grade_column", "feedback_column", "id_column"), "")
@@ -42,8 +42,11 @@ def test_who_is_not_finished_is_left_out(
 
 
 def test_a_withheld_score_is_told_as_one(tmp_path: Path, log: Path) -> None:
-    """Whatever lies in the folder."""
-    path = folder_of(tmp_path, "class", {"ada.cpp": CODE, "bob.cpp": "raise"})
+    """Whatever lies in the folder: here the points of an older file."""
+    path = folder_of(tmp_path, "class", {"ada.cpp": CODE, "bob.cpp": "b"})
+    grade(path, job(tmp_path / "out"))
+    assert points(tmp_path / "out") == {"ada": 50, "bob": 50}
+    folder_of(tmp_path, "class", {"bob.cpp": "raise"})
     grade(path, job(tmp_path / "out"))
     made = exported("csv", tmp_path / "out", None, ASKED)
     assert made.problems == (

@@ -29,10 +29,14 @@ def built_libraries(cache: Path) -> Iterator[Libraries]:
         yield build_libraries(folder / "libraries")
 
 
+SHORT = ("6b", "6c", "7")
+"""Goals whose rays take so little time here that noise may hide it."""
+
+
 def has_ratio(reading: Reading) -> bool:
-    """Whether a goal was measured, or the machine was too busy for it and the line says so."""
+    """Whether a goal was measured, or a short one was lost and its line says so."""
     if reading.ratio is None:
-        return "lost in the noise" in reading.detail
+        return reading.goal.number in SHORT and "lost in the noise" in reading.detail
     return 0 < reading.ratio.low <= reading.ratio.median
 
 
@@ -45,7 +49,7 @@ def test_every_solution_is_timed(libraries: Libraries, tmp_path: Path) -> None:
 
 
 GUARDED = {"check": ("textbook", 0.57), "fast": ("clear", 1.02)}
-"""What is held against what, and the ratio of their seconds in docs/performance.md."""
+"""What is held against what, and the ratio of their seconds by docs/performance.md."""
 
 WORSE = 3.0
 """So many times the ratio is no noise: beside twenty programs it changed by a half."""
@@ -68,7 +72,8 @@ def test_what_is_timed_did_not_become_a_multiple(libraries: Libraries) -> None:
     cpu = {name: [each.cpu for each in found] for name, found in costs.items()}
     for name, (other, before) in GUARDED.items():
         ratio = ratios(cpu[name], cpu[other])
-        assert ratio is None or ratio.median < WORSE * before, (name, cpu)
+        assert ratio is not None, (name, cpu)
+        assert ratio.median < WORSE * before, (name, cpu)
 
 
 def test_all_solutions_build_the_same_tree(libraries: Libraries) -> None:
@@ -87,6 +92,6 @@ def test_every_way_to_compile_is_timed(tmp_path: Path) -> None:
 
 def test_a_size_has_all_costs(libraries: Libraries) -> None:
     """And two of them tell how they grow."""
-    sizes = tuple(scale.measured(libraries.clear, faces) for faces in (16_000, 32_000))
-    assert [size.faces for size in sizes] == [16_000, 32_000]
+    sizes = tuple(scale.measured(libraries.clear, faces) for faces in (64_000, 128_000))
+    assert [size.faces for size in sizes] == [64_000, 128_000]
     assert [each.what for each in scale.growths(sizes)] == [each.what for each in scale.COSTS]

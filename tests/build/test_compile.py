@@ -125,7 +125,7 @@ def test_strange_files_are_values(compiled: Compile, source: str, said: str) -> 
 
 @pytest.mark.parametrize("source", ["", "\0"])
 def test_a_file_without_any_function_compiles(compiled: Compile, source: str) -> None:
-    """Both parts are missing then, and each says so where it is called."""
+    """What is missing is missed where it is called, by the run."""
     assert compiled(source).library
 
 

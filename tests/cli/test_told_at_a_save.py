@@ -62,7 +62,7 @@ def test_one_check_is_told_as_one(told: Told) -> None:
 
 
 def test_what_the_rubric_hides_was_not_run(told: Told, tmp_path: Path) -> None:
-    """The note of the build says so at every save."""
+    """A note of the build is told at every save; nothing is called everything."""
     hidden = f"the rubric hides these checks, so they were not run: {CHECK}"
     build = replace(samples.BUILD, remarks=(hidden,))
     grade = replace(samples.perfect(), build=build)

@@ -14,6 +14,7 @@ from grader.counterexample.written import to_text
 from grader.model.mesh import Bvh
 from grader.model.trials import ConstructTrial, ImageTrial, TraceTrial, Trial
 from grader.model.verdict import Evidence
+from grader.replay import CHANGED
 from grader.resources import reference_source
 from grader.run.session import Engine
 from grader.run.trials import Engines
@@ -42,8 +43,6 @@ void BVH::construct(const Mesh& mesh) {{
 """Dies, sleeps, loops or leaves an unreadable tree, by the number of faces."""
 
 CHECK = "bvh.root-holds-all-faces"
-
-CHANGED = "the model solution fails on this input, too: the file was changed"
 
 
 @pytest.fixture(scope="module")

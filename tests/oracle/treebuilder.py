@@ -1,6 +1,5 @@
 """A median-split tree in plain numpy, so that oracle tests need no compiler."""
 
-from collections.abc import Sequence
 from functools import cache
 
 import numpy as np
@@ -47,11 +46,6 @@ def _record(
             box_low[node] = low[order[begin:end]].min(axis=0)
             box_high[node] = high[order[begin:end]].max(axis=0)
     return Bvh(box_low, box_high, begins, ends, order.astype(np.uint32), count)
-
-
-def trees_of(meshes: Sequence[Mesh]) -> list[Bvh]:
-    """Build trees over several meshes."""
-    return [tree_of(mesh) for mesh in meshes]
 
 
 @cache

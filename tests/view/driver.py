@@ -153,13 +153,13 @@ class Hands:
         self.wait(ctx, lambda: study.walk is not None)
         walk = study.walk
         assert walk is not None
-        told["first"] = walk.title
+        told["first"] = walk.of.title
         ctx.key_press(imgui.Key.r)
         self.wait(ctx, lambda: study.walk is not walk)
         assert study.walk is not None
-        told["next"] = study.walk.title
+        told["next"] = study.walk.of.title
         steps = [study.step]
-        for key in (imgui.Key.comma, imgui.Key.period):
+        for key in (imgui.Key.period, imgui.Key.comma):
             ctx.key_press(key)
             ctx.yield_(2)
             steps.append(study.step)

@@ -65,6 +65,8 @@ def opened(file: Path) -> Iterator[Open]:
 
     threading.Thread(target=serve, daemon=True).start()
     assert there.wait(120)
-    yield ready[0]
-    ready[0].service.is_over = True
-    assert over.wait(120)
+    try:
+        yield ready[0]
+    finally:
+        ready[0].service.is_over = True
+        assert over.wait(120)

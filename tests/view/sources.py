@@ -25,7 +25,8 @@ def constructing(first: str) -> str:
     return given().replace(AHEAD, f"{AHEAD}    {first}\n")
 
 
-RIGHT = "if (ray.direction.x > -0.35f)"
+BORDER = -0.35
+RIGHT = f"if (ray.direction.x > {BORDER}f)"
 """Of the picture that tests look at."""
 
 CRASH = "*reinterpret_cast<volatile int*>(sizeof(char) - 1) = 1;"

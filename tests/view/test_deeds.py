@@ -1,4 +1,4 @@
-"""What a window and a study do, where no window and no submission are needed."""
+"""What a window and a study do, where no window is needed."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -12,16 +12,17 @@ from grader.cli.progress import silent
 from grader.options import Options
 from grader.view import window as window_module
 from grader.view.desk import Desk
+from grader.view.following import Place
 from grader.view.panes import Panes
-from grader.view.stage import State
+from grader.view.stage import Stage, State
 from grader.view.status import is_vain
 from grader.view.study import Study
-from grader.view.walking import Walk, cut_off
+from grader.view.walking import Followed, Walk, cut_off
 from grader.view.window import Window, _hear_drops
-from tests.verify.builder import soup
+from tests.verify.builder import build, soup
 from tests.view.shown import confetti, of_mesh, until
 
-WALK = Walk(np.zeros(8, np.float32), (), 0, np.inf, None, "", -1, "")
+WALK = Walk(Followed(np.zeros(8, np.float32), ""), (), 0, np.inf, None, None, "", -1)
 
 
 class StandIn:
@@ -30,6 +31,7 @@ class StandIn:
     stage: Any = None
     rival: Any = None
     size = 8, 8
+    is_loading = is_building = False
 
     def __init__(self) -> None:
         self.subject = confetti()
@@ -76,6 +78,7 @@ def test_a_file_that_is_dropped_is_opened(
     assert not window.panel.remark
 
 
+@pytest.mark.usefixtures("cache")
 def test_a_file_that_cannot_be_shown_leaves_what_there_is(tmp_path: Path) -> None:
     """It is said what was expected, until something else is shown."""
     text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
@@ -126,13 +129,30 @@ def test_a_click_after_the_end_is_answered() -> None:
     study.close()
 
 
+def test_where_the_program_ends_one_still_looks_at_the_same_node() -> None:
+    """The next build ends in its first ray, before anybody looks, but its tree is there."""
+    mesh, desk = soup(30), StandIn()
+    stage = SimpleNamespace(state=State.ENDED, subject=of_mesh(mesh), tree=build(mesh))
+    desk.stage = stage
+    study = Study(cast("Desk", desk))
+    study._stage = cast("Stage", stage)
+    study._place = Place(mesh, 2, None)
+    assert study._return(cast("Stage", stage))
+    assert study.facts is not None
+    assert study.facts.node == 2
+    study.close()
+
+
 def test_a_window_is_drawn_at_full_speed_as_long_as_something_is_looked_for() -> None:
-    """The rays of a counterexample are passed over one in each frame."""
-    window = window_on(StandIn())
+    """The rays of a counterexample are passed over one in each frame, but not in vain."""
+    desk = StandIn()
+    window = window_on(desk)
     panes = cast(Panes, SimpleNamespace(is_settled=True))
     assert not window._is_busy(panes)
     window.study._hunting = True
     assert window._is_busy(panes)
+    desk.is_building = True
+    assert not window._is_busy(panes)
     window.study.close()
 
 

@@ -67,6 +67,30 @@ def test_a_right_build_ends_the_fault_of_the_last(
         assert desk.fault is None
 
 
+def test_another_wish_ends_the_fault_of_the_last(
+    tmp_path: Path, making: Callable[[Made], None]
+) -> None:
+    """While it is loaded nobody is told any more what was wrong with the one before."""
+    free = threading.Event()
+
+    def fails() -> Subject:
+        raise UsageError("no such scene")
+
+    def late() -> Subject:
+        free.wait(LONG)
+        return confetti()
+
+    making(nothing)
+    with Desk(tmp_path / "a.cpp", OPTIONS, fails) as desk:
+        done(desk)
+        assert str(desk.fault) == "no such scene"
+        desk.choose(late)
+        desk.advance()
+        assert desk.fault is None
+        free.set()
+        done(desk)
+
+
 def test_a_build_hides_no_fault_of_loading(
     tmp_path: Path, making: Callable[[Made], None]
 ) -> None:

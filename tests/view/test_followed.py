@@ -4,16 +4,13 @@ from pathlib import Path
 
 import pytest
 
-from grader.model.trials import (
-    ConstructTrial,
-)
+from grader.model.trials import ConstructTrial, TraceTrial
 from grader.view.desk import Desk, Mode
-from grader.view.picture import shown
+from grader.view.picture import next_wrong, shown
 from grader.view.screenshot import wait
 from grader.view.status import status
 from grader.view.study import Study
 from grader.view.subject import Subject, of_trial
-from grader.view.walking import is_wrong
 from tests.view import sources
 from tests.view.found import MESH, OPTIONS, trials
 from tests.view.shown import confetti, until
@@ -43,29 +40,67 @@ def test_the_submission_is_built_anew_when_it_is_saved(file: Path) -> None:
 
 def test_after_a_save_one_looks_at_the_same(file: Path) -> None:
     """The same node and the same ray, whatever was compiled in between."""
+    file.write_text(sources.reference())
     with Desk(file, OPTIONS, confetti) as desk:
         study = Study(desk)
         desk.resize(24, 24)
         wait(desk, study)
-        study.select(0)
+        study.select(2)
         study.follow((12, 11))
         until(lambda: study.walk is not None, lambda: desk.advance() | study.advance())
         assert study.walk is not None
         old, ray = desk.stage, study.walk.ray
-        file.write_text(sources.reference())
+        file.write_text(f"{sources.reference()}// saved again\n")
         until(
             lambda: desk.stage is not old and study.walk is not None and not study.is_busy,
             lambda: desk.advance() | study.advance(),
         )
-        assert study.walk.title == "pixel (12, 11)"
+        assert study.walk.of.title == "pixel (12, 11)"
         assert (study.walk.ray == ray).all()
         assert study.pixel == (12, 11)
         assert study.facts is not None
+        assert study.facts.node == 2
         desk.choose(lambda: confetti(30))
         until(lambda: desk.subjects == 2, lambda: desk.advance() | study.advance())
         study.advance()
         assert not any((study.walk, study.facts))
         assert study.pixel == (-1, -1)
+        study.close()
+
+
+def test_a_ray_on_the_way_to_a_wrong_one_is_not_looked_at(file: Path) -> None:
+    """After a restart it is the ray that was shown, not the one that was just asked for."""
+    trial = next(one for one in trials() if isinstance(one, TraceTrial))
+    with Desk(file, OPTIONS, lambda: of_trial("hits.closest-wins", trial)) as desk:
+        study = Study(desk)
+        wait(desk, study)
+        assert study.walk is not None
+        title = study.walk.of.title
+        study.next_ray()
+        desk.run_again()
+        until(
+            lambda: study.walk is not None and not study.is_busy,
+            lambda: desk.advance() | study.advance(),
+        )
+        assert study.walk is not None
+        assert study.walk.of.title == title
+        study.next_ray()
+        until(lambda: not study.is_busy, lambda: desk.advance() | study.advance())
+        assert study.walk.of.title != title
+        study.close()
+
+
+def test_the_picture_before_a_move_names_no_pixel(file: Path) -> None:
+    """It was seen from elsewhere; what differs there says nothing of what is seen now."""
+    with Desk(file, OPTIONS, confetti) as desk:
+        study = Study(desk)
+        desk.resize(24, 24)
+        desk.compare(Mode.DIFFERENCE)
+        wait(desk, study)
+        assert next_wrong(desk, (-1, -1)) is not None
+        assert desk.orbit is not None
+        desk.orbit = desk.orbit.turned(0.1, 0.0)
+        assert next_wrong(desk, (-1, -1)) is None
         study.close()
 
 
@@ -82,7 +117,7 @@ def test_the_next_failing_ray_comes_by_itself(file: Path) -> None:
         assert not study.remark
         assert study.walk is not None
         assert study.walk.expected is not None
-        assert is_wrong(study.walk)
+        assert study.walk.wrong
         study.close()
 
 
@@ -103,7 +138,7 @@ def test_wrong_normals_differ(file: Path, turns: bool) -> None:
         until(lambda: not study.is_busy, lambda: desk.advance() | study.advance())
         if turns:
             assert study.walk is not None
-            assert not is_wrong(study.walk)
+            assert not study.walk.wrong
             assert "normal" in study.walk.sentence
         else:
             assert study.remark == "no pixel differs"

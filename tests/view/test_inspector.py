@@ -1,5 +1,6 @@
 """What is wrong with a node is what the checks say of it."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 from typing import cast
 
@@ -106,10 +107,22 @@ def test_a_judge_who_fails_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(judging_module, "judgement", fails)
     stage = cast("Stage", SimpleNamespace(subject=of_mesh(MESH), tree=TREE))
     judging = Judging()
-    until(lambda: judging.known is not None, lambda: judging.advance(stage, wanted=True))
-    assert judging.known is not None
-    assert "MemoryError: no room" in judging.known.unreadable
-    assert facts_of(MESH, TREE, 0, judging.known).faults == (judging.known.unreadable,)
+    until(lambda: bool(judging.failed), lambda: judging.advance(stage, wanted=True))
+    assert "MemoryError: no room" in judging.failed
+    assert judging.known is None
+    assert not judging.is_busy
+    judging.forget()
+    assert not judging.failed
+    judging.close()
+
+
+def test_a_tree_of_ours_is_not_judged() -> None:
+    """It may be altered on purpose, and no fault of it is anybody's."""
+    subject = replace(of_mesh(MESH), tree=changed(TREE, "high", (4, 0), 99.0))
+    stage = cast("Stage", SimpleNamespace(subject=subject, tree=subject.tree))
+    judging = Judging()
+    judging.advance(stage, wanted=True)
+    assert not judging.is_busy
     judging.close()
 
 

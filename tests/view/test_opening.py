@@ -1,16 +1,20 @@
 """What is opened first, and which scenes there are."""
 
 import os
+from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
 
 import pytest
 
+from grader import pipeline
 from grader.cli.progress import silent
 from grader.counterexample.written import to_text
 from grader.errors import UsageError
 from grader.model.counterexample import Counterexample
+from grader.model.grade import CheckScore
 from grader.model.trials import ConstructTrial
+from grader.model.verdict import Verdict
 from grader.options import Options
 from grader.oracle.scenes import scenes
 from grader.score.rubric import SHIPPED
@@ -19,7 +23,9 @@ from grader.view import screenshot as screenshot_module
 from grader.view.opening import Wish, opening, wanted
 from grader.view.subject import Subject, of_scene, own_scenes, scene_folders
 from tests.oracle.own import MESH, own_folder
+from tests.report import samples
 from tests.verify.builder import soup
+from tests.view import sources
 
 
 @pytest.fixture
@@ -81,6 +87,33 @@ def test_a_counterexample_that_lies_there_is_named(tmp_path: Path) -> None:
     assert not wanted(of_check(tmp_path, str(file)))().origin
 
 
+PASSING = samples.check(1)
+
+
+@pytest.mark.parametrize(
+    ("score", "told"),
+    [
+        (PASSING, "it passes, so there is no input that fails it"),
+        (
+            replace(PASSING, verdict=Verdict.FAIL, message="too\nslow"),
+            r"it fails, but no small input was found: too slow",
+        ),
+        (samples.uncompiled().checks[1], "it is not decided, because build.compiles fails"),
+        (replace(PASSING, verdict=Verdict.BROKEN, message="full"), "it is not decided: full"),
+    ],
+    ids=["passes", "large", "blocked", "broken"],
+)
+def test_why_there_is_nothing_to_show_is_told(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, score: CheckScore, told: str
+) -> None:
+    """A file that does not compile fails no check, but it does not pass one either."""
+    found = samples.graded([samples.check(0), score])
+    monkeypatch.setattr(pipeline, "grade_one", lambda *_: found)
+    with pytest.raises(UsageError, match=told):
+        wanted(of_check(tmp_path, PASSING.check))()
+
+
+@pytest.mark.usefixtures("cache")
 @pytest.mark.parametrize("web", [True, False], ids=["web", "screenshot"])
 def test_what_cannot_be_had_ends_the_viewer(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, web: bool
@@ -92,8 +125,10 @@ def test_what_cannot_be_had_ends_the_viewer(
 
     monkeypatch.setattr(opening_module, "_searched", search)
     monkeypatch.setattr(screenshot_module, "surfaceless", lambda: None)
+    # A result of somebody's own may lie where the tests are started.
+    monkeypatch.chdir(tmp_path)
     file = tmp_path / "a.cpp"
-    file.write_text("")
+    file.write_text(sources.given())
     picture = None if web else tmp_path / "a.png"
     with pytest.raises(UsageError, match="no input that fails it"):
         opening(of_check(tmp_path, "hits.closest-wins"), web, picture)

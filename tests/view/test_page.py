@@ -10,6 +10,7 @@ from playwright.sync_api import Browser, Page, Route
 
 from tests.view import sources
 from tests.view.served import Open, opened
+from tests.view.shown import until
 
 PATIENCE = 240_000
 """Milliseconds; only a machine that is much too busy needs more than a few seconds."""
@@ -34,8 +35,12 @@ def page(house: Open, browser: Browser) -> Iterator[Page]:
     """Open the page in a browser in which nothing may go wrong."""
     noticed: list[str] = []
     found = shown(house, browser, noticed)
+    before = house.ask("GET", house.at("state"))[1]["subject"]
     for wish in ({"what": "scene", "scene": "soup"}, {"what": "mode", "mode": "shaded"}):
         assert house.ask("POST", house.at("do"), wish)[0] == 200
+    # Or what is waited for would hold of what is there before it is loaded anew.
+    loaded = f"!document.body.dataset.shown.startsWith('{before}.')"
+    found.wait_for_function(f"document.body.dataset.shown && {loaded}")
     found.get_by_text("1,200 faces").wait_for()
     found.locator("#traced[data-share='1']").wait_for()
     yield found
@@ -166,6 +171,42 @@ def test_what_fails_once_is_asked_again(house: Open, browser: Browser, what: str
     page.close()
 
 
+def test_a_mesh_that_comes_late_is_seen_from_its_own_place(
+    house: Open, browser: Browser
+) -> None:
+    """The tree is there before it; the camera is not that of the scene before."""
+    page = shown(house, browser, [])
+    page.locator("#traced[data-share='1']").wait_for()
+    page.locator("#stage").focus()
+    for _ in range(4):
+        page.keyboard.press("ArrowLeft")
+    before = house.ask("GET", house.at("state"))[1]
+    held: list[Route] = []
+    page.route("**/model", lambda route: held.append(route), times=1)
+    page.locator("#scene").select_option("nested")
+    page.locator("#scene").blur()
+    until(lambda: bool(held), lambda: page.wait_for_timeout(20))
+    # Meanwhile another tree is there.
+    trees = house.ask("POST", house.at("do"), {"what": "again"})[1]["tree"]
+    until(
+        lambda: house.ask("GET", house.at("state"))[1]["tree"] > trees + 1,
+        lambda: page.wait_for_timeout(20),
+    )
+    page.keyboard.press("n")
+    page.get_by_text("11,008 faces").wait_for()
+    later = f"document.body.dataset.shown.startsWith('{before['subject'] + 1}.')"
+    page.wait_for_function(later)
+    held[0].continue_()
+    desk = house.service._desk
+
+    def is_home() -> bool:
+        orbit, subject = desk.orbit, desk.subject
+        return orbit is not None and subject is not None and orbit.yaw == subject.home.yaw
+
+    until(is_home, lambda: page.wait_for_timeout(20))
+    page.close()
+
+
 def test_a_program_that_is_gone_is_told(house: Open, browser: Browser) -> None:
     """After a few more questions."""
     page = shown(house, browser, [])
@@ -196,8 +237,9 @@ def test_the_page_outlives_the_submission(
         trouble, again = page.locator("#trouble"), page.locator("#again")
         trouble.filter(has_text=told).wait_for()
         assert "intersect, pixel (" in (trouble.text_content() or "")
+        before = page.evaluate("document.body.dataset.shown")
         again.click()
-        again.wait_for(state="hidden")
+        page.wait_for_function("old => document.body.dataset.shown !== old", arg=before)
         trouble.filter(has_text=told).wait_for()
         file.write_text(sources.reference())
         trouble.wait_for(state="hidden")

@@ -13,13 +13,12 @@ from grader.model.trials import (
     Trial,
     WorkTrial,
 )
-from grader.run.transfer import ray_table
 from grader.view.desk import Desk
 from grader.view.panes import pixel_at
 from grader.view.screenshot import wait
 from grader.view.study import Study
 from grader.view.subject import of_file, of_trial, told_of
-from grader.view.walking import Followed, expected_of, is_wrong, outcome_of
+from grader.view.walking import outcome_of
 from tests.view import sources
 from tests.view.found import MESH, MESSAGE, OPTIONS, REMARK, aimed, middle, stored, trials
 from tests.view.shown import confetti, until
@@ -30,8 +29,8 @@ def told_rightly(study: Study, judged: bool) -> None:
     lost = np.flatnonzero(aimed(MESH).direction[:, 1] > middle())
     assert study.walk is not None
     assert study.walk.came_back
-    assert study.walk.title == f"ray {lost[0] if judged else 0}"
-    assert is_wrong(study.walk) == judged
+    assert study.walk.of.title == f"ray {lost[0] if judged else 0}"
+    assert bool(study.walk.wrong) == judged
     assert (study.walk.expected is not None) == judged
 
 
@@ -82,12 +81,12 @@ def test_where_nothing_is_wrong_any_more_that_is_not_taken_for_news(
             assert study.remark == "no node is wrong"
         else:
             assert study.walk is not None
-            assert study.walk.title == "ray 0"
+            assert study.walk.of.title == "ray 0"
             study.next_ray()
             until(lambda: not study.is_busy, lambda: desk.advance() | study.advance())
             judged = kind is not WorkTrial
             assert study.remark == ("no further ray is wrong" if judged else "")
-            assert study.walk.title == ("ray 0" if judged else "ray 1")
+            assert study.walk.of.title == ("ray 0" if judged else "ray 1")
         study.close()
 
 
@@ -112,7 +111,7 @@ def test_a_ray_that_ends_the_process_is_named_and_drawn(file: Path) -> None:
         assert desk.stage is not None
         assert desk.stage.trouble.startswith("intersect, ray 0: ")
         assert study.walk is not None
-        assert study.walk.title == "ray 0"
+        assert study.walk.of.title == "ray 0"
         assert outcome_of(study.walk, str) == "no answer"
         assert study.strokes()
         assert "when this was found" in study.remark
@@ -121,8 +120,8 @@ def test_a_ray_that_ends_the_process_is_named_and_drawn(file: Path) -> None:
             lambda: study.walk is not None and study.walk.came_back,
             lambda: desk.advance() | study.advance(),
         )
-        assert study.walk.title == "ray 0"
-        assert not is_wrong(study.walk)
+        assert study.walk.of.title == "ray 0"
+        assert not study.walk.wrong
         study.close()
 
 
@@ -141,16 +140,12 @@ def test_the_first_wrong_ray_is_followed(file: Path, tmp_path: Path) -> None:
     """Rays that are right are passed over; what was lost, and where, is told."""
     trial = next(one for one in trials() if isinstance(one, TraceTrial))
     lost = np.flatnonzero(trial.rays.direction[:, 1] > middle())
-    table = ray_table(trial.rays)
-    known = [expected_of(Followed(table[ray], "", trial, ray)) for ray in lost.tolist()]
-    first = next(
-        ray for ray, t in zip(lost.tolist(), known, strict=True) if t is not None and t < np.inf
-    )
+    first = next(ray for ray in lost.tolist() if np.isfinite(trial.answers.limit[ray]))
     with Desk(file, OPTIONS, lambda: of_trial("hits.closest-wins", trial)) as desk:
         study = Study(desk)
         wait(desk, study)
         assert study.walk is not None
-        assert study.walk.title == f"ray {first}"
+        assert study.walk.of.title == f"ray {first}"
         assert study.walk.found == np.inf
         assert study.walk.expected == pytest.approx(1.0, abs=0.5)
         assert study.walk.sentence

@@ -13,13 +13,10 @@ import pytest
 
 from grader.counterexample.written import to_text
 from grader.model.counterexample import Counterexample
-from grader.model.mesh import Rays
 from grader.model.trials import TraceTrial
-from grader.oracle.balanced import balanced_tree
-from grader.oracle.brute import answers
 from grader.view.steering import TURN
-from tests.verify.builder import build, soup
 from tests.view import sources
+from tests.view.found import middle, trials
 
 DRIVER = Path(__file__).with_name("driver.py")
 
@@ -48,7 +45,7 @@ def driven(display: str, folder: Path, source: str, *deeds: str) -> dict[str, An
 
 @pytest.mark.usefixtures("cache")
 def test_hands_do_what_they_should(display: str, tmp_path: Path) -> None:
-    """Drag, slider, combo, heatmap, keys, a click on each pane, and a saved picture."""
+    """Drag, slider, combo, heatmap, keys, clicks, a saved picture, and a file dropped there."""
     deeds = ["drag", "slider", "heat", "keys", "click", "save", "combo", "drop"]
     seen = driven(display, tmp_path, sources.reference(), *deeds)
     assert seen["agreement"] >= 0.99
@@ -69,29 +66,22 @@ def test_hands_do_what_they_should(display: str, tmp_path: Path) -> None:
 @pytest.mark.usefixtures("cache")
 def test_a_counterexample_is_gone_through(display: str, tmp_path: Path) -> None:
     """It opens at its first wrong ray; the keys go to the next one, and along it."""
-    mesh = soup(30)
-    target = mesh.vertices[mesh.faces[:6]].mean(axis=1)
-    origin = np.tile(np.array([[-6.0, 0.3, 0.2]], np.float32), (6, 1))
-    rays = Rays(
-        origin,
-        (target - origin).astype(np.float32),
-        np.zeros(6, np.float32),
-        np.full(6, np.inf, np.float32),
-    )
-    tree = build(mesh)
-    found = answers(mesh, rays, balanced_tree(mesh))
-    trial = TraceTrial("x", mesh, tree, rays, found, ("aimed",), np.zeros(6, np.int64), False)
+    trial = next(one for one in trials() if isinstance(one, TraceTrial))
     folder = tmp_path / "bvhgrade-out" / "counterexamples"
     folder.mkdir(parents=True)
     check = "hits.closest-wins"
-    text = to_text(Counterexample(check, trial, 30, 6, "x", "", "", ""))
+    count = len(trial.rays.t_min)
+    text = to_text(Counterexample(check, trial, 30, count, "x", "", "", ""))
     (folder / f"{check}.json").write_text(text)
-    seen = driven(display, tmp_path, sources.tracing("return {};"), "counterexample")
+    forgets = f"    if (ray.direction.y > {middle()}) {{ return {{}}; }}\n{sources.END}"
+    source = sources.given().replace(sources.END, forgets)
+    seen = driven(display, tmp_path, source, "counterexample")
     told = seen["counterexample"]
-    assert (told["first"], told["next"]) == ("ray 0", "ray 1")
-    last, before, again = told["steps"]
-    assert (before, again) == (max(last - 1, 0), max(last - 1, 0) + (last > 0))
-    assert told["remark"] == "no node is wrong"
+    lost = np.flatnonzero(trial.rays.direction[:, 1] > middle())
+    assert (told["first"], told["next"]) == (f"ray {lost[0]}", f"ray {lost[1]}")
+    begun, after, before = told["steps"]
+    assert (after, before) == (begun + 1, begun)
+    assert told["remark"] == "the tree is the model solution's"
     assert f"{check}.json" in told["origin"]
 
 

@@ -1,4 +1,4 @@
-"""The page of a submission says what its result says, and runs nothing of a stranger's."""
+"""The page of a submission says what its result says."""
 
 import re
 from dataclasses import replace

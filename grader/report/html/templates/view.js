@@ -7,6 +7,8 @@
   const level = byId("level"), only = byId("only"), mode = byId("mode"), scene = byId("scene");
   const list = byId("steps");
   let opened = null, state = null, subject = -1, tree = -1, look = null, sent = "", image = -1;
+  // The subject whose mesh and camera are here; `subject` may still be on its way.
+  let loaded = -1;
 
   // What the program says in a sentence when it will not or cannot answer; it goes on.
   class Failed extends Error {}
@@ -92,13 +94,13 @@
       else item.removeAttribute("aria-current");
     });
   };
-  const load = async (anew, now) => {
+  const load = async (now) => {
     const model = await (await ask("model")).json();
     const next = model && await openModel(model);
     // Meanwhile another one may have been asked for.
     if (!next || subject !== now.subject || tree !== now.tree) return;
-    const before = opened && !anew ? { ...look } : {};
-    opened = next;
+    const before = loaded === now.subject ? { ...look } : {};
+    [opened, loaded] = [next, now.subject];
     // As long as there is no tree, the level that is wanted stays as it is.
     if (model.boxes.count) level.max = Math.floor(Math.log2(model.boxes.count));
     if (space) space.load(opened.mesh, opened.boxLines, model.home, before);
@@ -123,9 +125,11 @@
     byId("differ").textContent = now.differ;
     byId("differ").hidden = !now.differ;
     if (now.subject !== subject || now.tree !== tree) {
-      const anew = now.subject !== subject, had = [subject, tree];
+      const had = [subject, tree];
       [subject, tree] = [now.subject, now.tree];
-      try { await load(anew, now); } catch (error) { [subject, tree] = had; throw error; }
+      try { await load(now); } catch (error) { if (state === now) [subject, tree] = had; throw error; }
+      // Meanwhile something newer may have been told.
+      if (state !== now) return;
     }
     if (!levelling) [level.value, only.checked] = [now.level, now.only];
     tellNode(now);
