@@ -72,7 +72,13 @@ def test_every_command_exists(document: Path, line: str) -> None:
         assert_understood(arguments)
     elif program == "scripts/certify":
         assert_understood(["certify", *arguments])
-    elif program in {"scripts/grade", "scripts/test", "scripts/check", ".ci/run"}:
+    elif program in {
+        "scripts/grade",
+        "scripts/test",
+        "scripts/attacks",
+        "scripts/check",
+        ".ci/run",
+    }:
         assert os.access(ROOT / program, os.X_OK)
         assert_present(ROOT, arguments)
     elif program == "cmake":
