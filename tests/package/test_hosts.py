@@ -9,7 +9,8 @@ import pytest
 from click.testing import CliRunner, Result
 
 from grader.cli import cli
-from grader.package import gradescope, prairielearn
+from grader.oracle.scenes import scenes
+from grader.package import gradescope, handout, prairielearn
 
 
 def packed(folder: Path, *arguments: str) -> Result:
@@ -39,8 +40,11 @@ def mode(archive: zipfile.ZipFile, name: str) -> int:
     ],
     ids=lambda arguments: arguments[0],
 )
-def test_the_same_call_gives_the_same_bytes(tmp_path: Path, arguments: tuple[str, ...]) -> None:
-    """A course can see that nothing has changed."""
+def test_the_same_call_gives_the_same_bytes(
+    tmp_path: Path, arguments: tuple[str, ...], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A course can see that nothing has changed. One scene of a handout stands for all."""
+    monkeypatch.setattr(handout, "scenes", lambda folder: scenes(folder)[:1])
     assert packed(tmp_path, *arguments).exit_code == 0
     first = (tmp_path / "package.zip").read_bytes()
     assert packed(tmp_path, *arguments).exit_code == 0
