@@ -11,15 +11,25 @@ from tests.student_stub.library import STARTER, STUB, build, load, run
 PRESETS = ["Debug", "Release", "RelWithDebInfo", "Sanitize"]
 
 
-@pytest.mark.parametrize("compiler", ["g++", "clang++"])
-@pytest.mark.parametrize("preset", PRESETS)
+@pytest.mark.parametrize(
+    ("preset", "compiler"),
+    [
+        ("Debug", "g++"),
+        ("Debug", "clang++"),
+        ("Release", "g++"),
+        ("RelWithDebInfo", "clang++"),
+        ("Sanitize", "g++"),
+        ("Sanitize", "clang++"),
+    ],
+)
 def test_every_preset_builds_without_a_warning(
     preset: str, compiler: str, tmp_path: Path
 ) -> None:
     """The starter compiles and links with both compilers, and nobody complains.
 
     File by file in Debug; elsewhere the given code is one piece, for what a preset adds is
-    seen there as well, in a third of the time.
+    seen there as well, in a third of the time. Release and RelWithDebInfo are much
+    alike, so each is built by one of the compilers.
     """
     presets = json.loads((STUB / "CMakePresets.json").read_text())["configurePresets"]
     (chosen,) = (p for p in presets if p["name"] == preset)
