@@ -243,7 +243,6 @@ class Desk:
         if isinstance(came, GraderError):
             self._faults["load"] = came
             return True
-        self._faults.pop("load", None)
         self.subject, self.light = came
         self.orbit = self.subject.home
         self.subjects += 1
@@ -255,7 +254,6 @@ class Desk:
         if isinstance(came, GraderError):
             self._faults["build"] = came
         elif came is not None:
-            self._faults.pop("build", None)
             self.product = came
             # What does not compile leaves on the stage what did.
             if came.engine is not None:

@@ -46,7 +46,8 @@ class Judging:
             wanted: Whether somebody looks at a node, so that a large tree is judged, too.
         """
         # A tree that the subject brings along is ours, and may be altered on purpose.
-        mesh, tree = stage.subject.mesh, None if stage.subject.tree else stage.tree
+        mesh = stage.subject.mesh
+        tree = stage.tree if stage.subject.tree is None else None
         wanted = wanted or len(mesh.faces) <= JUDGED_AT_ONCE
         if tree is not None and self._of is not tree and wanted:
             self._of = tree

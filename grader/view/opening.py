@@ -123,18 +123,18 @@ def _searched(wish: Wish, check: str) -> Subject:
     from grader.pipeline import grade_one
 
     grade = grade_one(wish.path, replace(wish.options, only=(check,), counterexamples=True))
-    one = next((one for one in grade.checks if one.check == check), None)
-    if one is None or one.counterexample is None:
+    (one,) = (one for one in grade.checks if one.check == check)
+    if one.counterexample is None:
         raise UsageError(f"{check}: {_why_none(one)}")
     return of_trial(check, one.counterexample.trial, one.counterexample.message)
 
 
-def _why_none(one: CheckScore | None) -> str:
+def _why_none(one: CheckScore) -> str:
     """Say why there is no input to show."""
-    if one is not None and one.verdict is Verdict.PASS:
+    if one.verdict is Verdict.PASS:
         return "it passes, so there is no input that fails it"
-    if one is not None and one.verdict is Verdict.FAIL:
+    if one.verdict is Verdict.FAIL:
         return f"it fails, but no small input was found: {one_line(one.message)}"
-    if one is not None and one.blocked_by:
+    if one.blocked_by:
         return f"it is not decided, because {one.blocked_by} fails first"
-    return f"it is not decided: {one_line(one.message)}" if one else "it is not graded"
+    return f"it is not decided: {one_line(one.message)}"

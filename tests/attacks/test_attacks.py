@@ -1,6 +1,6 @@
 """A hostile submission of each kind is graded end to end: in vain.
 
-`scripts/attacks` grades all of them, from `every_attack.py`; CI calls it.
+`scripts/attacks` grades all others, from `every_attack.py`; CI calls it.
 """
 
 import pytest

@@ -138,7 +138,7 @@ def test_wrong_normals_differ(file: Path, turns: bool) -> None:
         until(lambda: not study.is_busy, lambda: desk.advance() | study.advance())
         if turns:
             assert study.walk is not None
-            assert not study.walk.wrong
+            assert study.walk.wrong is False
             assert "normal" in study.walk.sentence
         else:
             assert study.remark == "no pixel differs"

@@ -201,6 +201,24 @@ def test_a_mesh_that_comes_late_is_seen_from_its_own_place(
     page.close()
 
 
+def test_a_mesh_that_is_lost_is_asked_for_again(house: Open, browser: Browser) -> None:
+    """Also if something else was told meanwhile."""
+    page = shown(house, browser, [])
+    page.locator("#traced[data-share='1']").wait_for()
+    before = page.evaluate("document.body.dataset.shown")
+    held: list[Route] = []
+    page.route("**/model", lambda route: held.append(route), times=1)
+    assert house.ask("POST", house.at("do"), {"what": "again"})[0] == 200
+    until(lambda: bool(held), lambda: page.wait_for_timeout(20))
+    page.locator("#stage").focus()
+    with page.expect_response("**/do"):
+        page.keyboard.press("n")
+    page.wait_for_timeout(200)
+    held[0].abort()
+    page.wait_for_function("old => document.body.dataset.shown !== old", arg=before)
+    page.close()
+
+
 def has_new_tree(house: Open, old: Stage | None) -> bool:
     """Tell whether another run than the old one has a tree, and the page may hear of it."""
     stage, known = house.service._desk.stage, house.service._tree

@@ -30,7 +30,7 @@ def told_rightly(study: Study, judged: bool) -> None:
     assert study.walk is not None
     assert study.walk.came_back
     assert study.walk.of.title == f"ray {lost[0] if judged else 0}"
-    assert bool(study.walk.wrong) == judged
+    assert study.walk.wrong is (True if judged else None)
     assert (study.walk.expected is not None) == judged
 
 
@@ -121,7 +121,7 @@ def test_a_ray_that_ends_the_process_is_named_and_drawn(file: Path) -> None:
             lambda: desk.advance() | study.advance(),
         )
         assert study.walk.of.title == "ray 0"
-        assert not study.walk.wrong
+        assert study.walk.wrong is False
         study.close()
 
 

@@ -56,7 +56,7 @@ def plain(*candidates: tuple[float, int]) -> Trial:
 def test_where_two_are_right_neither_is_wrong(t: float) -> None:
     """A face that is met at its edge may be hit or not, within its own tolerance."""
     told = walk(plain((3.0, EDGE), (5.0, SOLID)), t)
-    assert not told.wrong
+    assert told.wrong is False
     assert told.expected is None
 
 
@@ -80,7 +80,7 @@ def test_a_sure_hit_is_expected(t: float, wrong: bool) -> None:
 
 def test_a_miss_is_expected_where_nothing_is() -> None:
     """A hit there is wrong."""
-    assert not walk(plain(), MISS).wrong
+    assert walk(plain(), MISS).wrong is False
     told = walk(plain(), 2.0)
     assert told.wrong
     assert told.expected == MISS

@@ -127,9 +127,13 @@
     if (now.subject !== subject || now.tree !== tree) {
       const had = [subject, tree];
       [subject, tree] = [now.subject, now.tree];
-      try { await load(now); } catch (error) { if (state === now) [subject, tree] = had; throw error; }
+      try { await load(now); } catch (error) {
+        // Unless another one was asked for, this one is to be asked for again.
+        if (subject === now.subject && tree === now.tree) [subject, tree] = had;
+        throw error;
+      }
       // Meanwhile something newer may have been told.
-      if (state !== now) return;
+      now = state;
     }
     if (!levelling) [level.value, only.checked] = [now.level, now.only];
     tellNode(now);
