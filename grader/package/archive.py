@@ -10,6 +10,9 @@ EARLIEST = (1980, 1, 1, 0, 0, 0)
 """The first moment that a zip can hold."""
 
 UNIX = 3
+COMPRESSED = (".npz", ".png", ".whl")
+"""Files that are compressed already."""
+
 LEFTOVERS = ("__pycache__", ".DS_Store")
 
 
@@ -37,7 +40,8 @@ def zipped(members: Iterable[Member]) -> bytes:
                 raise ValueError(f"{member.name} is packed twice")
             names.add(member.name)
             entry = zipfile.ZipInfo(member.name, EARLIEST)
-            entry.compress_type = zipfile.ZIP_DEFLATED
+            done = member.name.endswith(COMPRESSED)
+            entry.compress_type = zipfile.ZIP_STORED if done else zipfile.ZIP_DEFLATED
             # Set here, because the default is another one on Windows.
             entry.create_system = UNIX
             entry.external_attr = (0o100755 if member.executable else 0o100644) << 16
