@@ -5,14 +5,17 @@ no point, and so has no place in the rows of the matrix.
 """
 
 import csv
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
+from shutil import rmtree
 from statistics import median
+from tempfile import TemporaryDirectory
 
 from grader.certify.corpus import corpus_folder, digest_of, name_of
 from grader.certify.ledger import Ledger
 from grader.certify.matrix import SEED
+from grader.counterexample.written import to_text
 from grader.errors import GraderError
 from grader.model.cases import BuildCase, SourceCase
 from grader.model.grade import CheckScore
@@ -50,8 +53,13 @@ def smallest_file() -> Path:
     return corpus_folder() / "counterexamples.csv"
 
 
-def smallest_inputs(path: Path) -> list[Smallest] | None:
-    """Grade a submission and look for small inputs; None if our own fault kept us from it."""
+def smallest_inputs(path: Path, into: Path | None) -> list[Smallest] | None:
+    """Grade a submission and look for small inputs; None if our own fault kept us from it.
+
+    Args:
+        path: The submission.
+        into: Where a folder of the submission's name gets the inputs as `check` writes them.
+    """
     options = Options(SEED, None, (), lambda *_: None, counterexamples=True)
     try:
         grade = grade_one(path, options)
@@ -59,8 +67,24 @@ def smallest_inputs(path: Path) -> list[Smallest] | None:
         return None
     if grade.needs_review:
         return None
+    if into:
+        inputs = ((one.check, one.counterexample) for one in grade.checks)
+        texts = {check: to_text(found) for check, found in inputs if found}
+        write_inputs(into / path.stem, texts)
     failed = (one for one in grade.checks if one.verdict is Verdict.FAIL)
     return [_size(name_of(path), one) for one in failed if one.check not in WITHOUT_INPUT]
+
+
+def write_inputs(folder: Path, texts: Mapping[str, str]) -> None:
+    """Write the inputs of one submission by check; a folder that is there holds all of them."""
+    folder.parent.mkdir(parents=True, exist_ok=True)
+    with TemporaryDirectory(dir=folder.parent) as scratch:
+        written = Path(scratch) / folder.name
+        written.mkdir()
+        for check, text in texts.items():
+            (written / f"{check}.json").write_text(text)
+        rmtree(folder, ignore_errors=True)
+        written.rename(folder)
 
 
 def _size(name: str, score: CheckScore) -> Smallest:
@@ -75,6 +99,7 @@ def searched(
     jobs: int,
     ledger: Ledger,
     tell: Callable[[str, Sequence[Smallest] | None], None],
+    into: Path | None = None,
 ) -> list[Smallest]:
     """Search what is missing in the ledger, and return all that is known of these files.
 
@@ -83,6 +108,7 @@ def searched(
         jobs: How many processes.
         ledger: Where results are kept.
         tell: Called with each file and what was found, at once.
+        into: A folder for the inputs; what is missing there is searched, too.
     """
     keys = {(name_of(path), digest_of(path)): path for path in paths}
 
@@ -95,8 +121,12 @@ def searched(
         }
 
     done = known()
-    waiting = [key for key in keys if key not in done]
-    orders = [(keys[key],) for key in waiting]
+
+    def there(path: Path) -> bool:
+        return into is None or (into / path.stem).is_dir()
+
+    waiting = [key for key, path in keys.items() if key not in done or not there(path)]
+    orders = [(keys[key], into) for key in waiting]
     results = mapped(smallest_inputs, orders, jobs)
     for (name, digest), found in zip(waiting, results, strict=True):
         if found is not None:

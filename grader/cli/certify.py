@@ -48,6 +48,12 @@ if TYPE_CHECKING:
     help="Measure the smallest inputs that fail checks instead.",
 )
 @click.option(
+    "--into",
+    type=click.Path(file_okay=False, path_type=Path),
+    metavar="FOLDER",
+    help="Keep those inputs in FOLDER/SUBMISSION/.",
+)
+@click.option(
     "--seed", type=int, default=1, show_default=True, help="What those N are drawn with."
 )
 def certify(

@@ -1,5 +1,6 @@
 """What `bvhgrade certify --counterexamples` does: how small are the inputs that fail checks?"""
 
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -12,7 +13,12 @@ if TYPE_CHECKING:
     from grader.certify.smallest import Smallest
 
 
-def search(match: str, jobs: int, **_: Any) -> bool:  # noqa: ANN401 - the other options
+def search(
+    match: str,
+    jobs: int,
+    into: Path | None,
+    **_: Any,  # noqa: ANN401 - the other options
+) -> bool:
     """Search wrong submissions, store the sizes; True if one could not be graded."""
     from grader.certify.corpus import every_submission, name_of, wrong_submissions
     from grader.certify.ledger import Ledger, usual_ledger
@@ -30,7 +36,7 @@ def search(match: str, jobs: int, **_: Any) -> bool:  # noqa: ANN401 - the other
         click.echo(f"{name}: {worded(found)}")
 
     ledger = Ledger(usual_ledger(), grader_digest(WITHOUT_SIZES))
-    store_smallest(searched(paths, jobs, ledger, tell), every_submission())
+    store_smallest(searched(paths, jobs, ledger, tell, into), every_submission())
     return bool(undecided)
 
 

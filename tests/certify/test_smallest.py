@@ -24,6 +24,7 @@ from grader.certify.smallest import (
     stored_smallest,
 )
 from grader.cli import cli
+from grader.counterexample.written import to_text
 from grader.errors import GraderError
 from grader.model.verdict import Verdict
 from grader.resources import reference_source
@@ -100,10 +101,28 @@ def test_a_grade_gives_the_size_of_each_failed_check(monkeypatch: pytest.MonkeyP
     ]
     monkeypatch.setattr(smallest, "grade_one", lambda *_: samples.graded(checks))
     faces, name = small().faces, name_of(reference_source())
-    assert smallest_inputs(reference_source()) == [
+    assert smallest_inputs(reference_source(), None) == [
         Smallest(TIGHT, name, faces, 0),
         Smallest(MEDIAN, name, None, None),
     ]
+
+
+def test_inputs_are_kept_as_check_writes_them(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """One file for each, and none of an earlier search."""
+    checks = [
+        replace(samples.check(1), check=CLOSEST, verdict=Verdict.FAIL, counterexample=small()),
+        replace(samples.check(1), check=MEDIAN, verdict=Verdict.FAIL, counterexample=None),
+    ]
+    monkeypatch.setattr(smallest, "grade_one", lambda *_: samples.graded(checks))
+    folder = tmp_path / "into" / reference_source().stem
+    folder.mkdir(parents=True)
+    (folder / f"{TIGHT}.json").write_text("of an earlier search")
+    smallest_inputs(reference_source(), tmp_path / "into")
+    assert [each.name for each in folder.iterdir()] == [f"{CLOSEST}.json"]
+    assert (folder / f"{CLOSEST}.json").read_text() == to_text(small())
+    assert list(folder.parent.iterdir()) == [folder]
 
 
 def test_our_own_fault_says_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -113,14 +132,14 @@ def test_our_own_fault_says_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
         raise GraderError("busy")
 
     monkeypatch.setattr(smallest, "grade_one", busy)
-    assert smallest_inputs(reference_source()) is None
+    assert smallest_inputs(reference_source(), None) is None
 
 
 def test_a_search_goes_on_where_it_was(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """What the ledger knows is not searched again, what was undecided is."""
     paths, asked = files(tmp_path, "a.cpp", "b.cpp"), []
 
-    def stand_in(path: Path) -> list[Smallest] | None:
+    def stand_in(path: Path, _: Path | None) -> list[Smallest] | None:
         asked.append(path.name)
         undecided = path.name == "b.cpp" and asked.count("b.cpp") == 1
         return None if undecided else [one for one in FOUND if one.submission == name_of(path)]
@@ -138,6 +157,10 @@ def test_a_search_goes_on_where_it_was(monkeypatch: pytest.MonkeyPatch, tmp_path
     assert asked == ["a.cpp", "b.cpp", "b.cpp"]
     assert told == ["wrong/a.cpp", "wrong/b.cpp", "wrong/b.cpp"]
     assert found == FOUND[:3]
+    # Their sizes are known, but the inputs of only one of them are where they are to be.
+    (tmp_path / "into/a").mkdir(parents=True)
+    searched(paths, 1, ledger, lambda *_: None, tmp_path / "into")
+    assert asked[3:] == ["b.cpp"]
 
 
 def test_the_command_stores_and_tells(
@@ -147,8 +170,8 @@ def test_the_command_stores_and_tells(
     name = "last-hit-wins.cpp"
     found = [Smallest(CLOSEST, f"wrong/{name}", 2, 1)]
 
-    def mapped(_: object, orders: Sequence[tuple[Path]], jobs: int) -> list[Any]:
-        assert [path for (path,) in orders] == [corpus_folder() / "wrong" / name]
+    def mapped(_: object, orders: Sequence[tuple[Path, None]], jobs: int) -> list[Any]:
+        assert [path for path, _ in orders] == [corpus_folder() / "wrong" / name]
         return [found]
 
     monkeypatch.setattr(smallest, "mapped", mapped)
