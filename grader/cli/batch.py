@@ -17,10 +17,11 @@ from grader.cli.options import (
     time_option,
     unsafe_option,
 )
+from grader.cli.output import patient_stdout
 from grader.cli.regrading import regraded
 from grader.errors import UsageError, WorkerFault
 from grader.language import usual_language
-from grader.output import STUDENTS, ready
+from grader.output import STORE, STUDENTS, ready
 from grader.plain import as_name
 
 if TYPE_CHECKING:
@@ -83,8 +84,18 @@ def batch(folder_or_zip: Path | None, output: Path, **given: Any) -> None:  # no
     wish = Wish(
         given["seed"], given["rubric"], given["time_limit"], not given["unsafe_no_isolation"]
     )
+    if folder_or_zip is not None and output.resolve() == folder_or_zip.resolve():
+        raise UsageError(
+            f"{output} holds the submissions, and results may not lie among them; name another "
+            "folder with -o"
+        )
+    if folder_or_zip is None and not (output / STORE).is_file():
+        raise UsageError(
+            f"{output}: there is no {STORE}, but a class that was graded is expected; name the "
+            "folder that `bvhgrade batch` wrote to"
+        )
     folder = ready(output)
-    with interruptible():
+    with interruptible(), patient_stdout():
         language = given["language"] or usual_language()
         job = Job(
             folder, settled(wish), wish, given["jobs"], language, scheduler=given["scheduler"]
