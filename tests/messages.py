@@ -2,12 +2,13 @@
 
 import ast
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 from grader.diagnose import every_hypothesis
 from grader.model.verdict import Verdict
 from grader.report.facts import NOT_STARTED
 from grader.report.hints import LABELS, told
+from grader.report.nodes import LABELS as NODE_LABELS
 from grader.score.rubric import load_rubric
 from grader.verify import every_check
 from tests.own_files import ROOT
@@ -34,16 +35,21 @@ def messages() -> list[str]:
     return list(dict.fromkeys(text for text in texts if text))
 
 
-def written_in_code() -> Iterator[str]:
-    """Find the texts that the reports, the viewer and the command line write."""
+def labels() -> set[str]:
+    """Name what stands beside the gutter of a terminal."""
+    return {*LABELS, *NODE_LABELS, "example", *written_in_code(LABELLED)} - {""}
+
+
+def written_in_code(names: Collection[str] = (*TRANSLATES, *LABELLED)) -> Iterator[str]:
+    """Find the texts that the reports, the viewer and the command line write.
+
+    Args:
+        names: Functions whose first argument is looked for.
+    """
     folders = (ROOT / "grader" / name for name in ("report", "view", "cli"))
     for path in (path for folder in folders for path in sorted(folder.rglob("*.py"))):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-            if (
-                isinstance(node, ast.Call)
-                and node.args
-                and _name(node) in TRANSLATES | LABELLED
-            ):
+            if isinstance(node, ast.Call) and node.args and _name(node) in names:
                 first = node.args[0]
                 if isinstance(first, ast.Constant) and isinstance(first.value, str):
                     yield first.value

@@ -192,6 +192,6 @@ def test_both_sentences_of_a_cause_are_translated() -> None:
 def test_the_page_speaks_german() -> None:
     """Every text of ours."""
     told = Reader(page_of("failing", "de")).text
-    assert "Was zu verbessern ist" in told
+    assert "Was zu beheben ist" in told
     assert "What to fix" not in told
     assert "bestanden" in told
