@@ -2,6 +2,7 @@
 
 import ast
 import re
+import tomllib
 from collections.abc import Collection, Iterator
 
 from grader.diagnose import every_hypothesis
@@ -9,6 +10,7 @@ from grader.model.verdict import Verdict
 from grader.report.facts import NOT_STARTED
 from grader.report.hints import LABELS, told
 from grader.report.nodes import LABELS as NODE_LABELS
+from grader.resources import scenes_folder
 from grader.score.rubric import load_rubric
 from grader.verify import every_check
 from tests.own_files import ROOT
@@ -29,10 +31,17 @@ def messages() -> list[str]:
     texts += written_in_code()
     texts += written_in_templates()
     texts += [each.title for each in every_check()]
+    texts += titles_of_scenes()
     texts += [title for _, title in load_rubric(None).titles]
     texts += [each.sentence for each in every_hypothesis()]
     texts += [text for hint in told().values() for text in (hint["question"], hint["trial"])]
     return list(dict.fromkeys(text for text in texts if text))
+
+
+def titles_of_scenes() -> list[str]:
+    """List what stands above the pictures of the scenes that come with the package."""
+    text = (scenes_folder() / "scenes.toml").read_text(encoding="utf-8")
+    return [each["title"] for each in tomllib.loads(text)["scene"]]
 
 
 def labels() -> set[str]:
