@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from grader.language import Words
+from grader.report.counts import counted
 from grader.report.facts import FILE, costs, root
 from grader.report.hints import cause_in, told
 
@@ -64,7 +65,14 @@ def spoken(one: Failure, told: Words) -> Failure:
             (label, "\n".join(map(told, text.split("\n"))), kind)
             for label, text, kind in one.facts
         ),
+        table=None if one.table is None else _table(one.table, told),
     )
+
+
+def _table(given: Json, told: Words) -> Json:
+    """Tell what stands in the cells of a tree, where it is words."""
+    columns = [[node, told(wanted), told(got)] for node, wanted, got in given["columns"]]
+    return {**given, "columns": columns}
 
 
 def worst_first(result: Json) -> list[Json]:
@@ -151,10 +159,12 @@ def _examples(check: Json) -> list[str]:
 def size(found: Json, words: Words) -> str:
     """Word how large a counterexample is."""
     faces, rays = found["faces"], found["rays"]
-    face = words("1 face") if faces == 1 else words("{faces} faces").format(faces=f"{faces:,}")
+    many = words("{faces} faces").format(faces=counted(faces, words))
+    face = words("1 face") if faces == 1 else many
     if not rays:
         return face
-    ray = words("1 ray") if rays == 1 else words("{rays} rays").format(rays=f"{rays:,}")
+    many = words("{rays} rays").format(rays=counted(rays, words))
+    ray = words("1 ray") if rays == 1 else many
     return f"{face}, {ray}"
 
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 from typing import Any
 
 from grader.language import Words, translator
-from grader.phrases import teller
+from grader.report.counts import teller
 from grader.report.facts import FILE, FUNCTIONS, NOT_STARTED
 from grader.report.hosts.told import VISIBLE, withheld
 from grader.report.html.findings import failures, idle_parts, points, spoken
@@ -155,12 +155,13 @@ def message(given: Json) -> dict[str, str]:
 def facts(result: Json, words: Words) -> list[tuple[str, str]]:
     """Say with what it was graded, and how long that took."""
     made, spent = result["provenance"], result["timing"]
+    alone = made["isolation"] == "none"
     times = words("{total} s: compiling {compile}, submission {submission}, grader {grader}")
     return [
         (words("grader"), made["grader"]),
         (words("seed"), str(made["seed"])),
         (words("compiler"), " ".join([made["compiler"], *made["flags"]])),
-        (words("isolation"), made["isolation"]),
+        (words("isolation"), words("none") if alone else made["isolation"]),
         (words("processor"), made["cpu"]),
         (words("time"), times.format(**{key: f"{spent[key]:.1f}" for key in TIMES})),
         (words("file"), f"SHA-256 {result['submission']['sha256'] or '-'}"),
@@ -184,6 +185,7 @@ def script_words(words: Words) -> dict[str, str]:
         "deep": words("deeper than the boxes that are kept here"),
         "outcome": words("expected t = {expected}, got t = {got}"),
         "none": words("no hit"),
+        "group": words(","),
         "coarse": words("shown with {faces} faces"),
         "wrong": words(
             "The box of node {node} is wrong: red is what was built, dashed green what it "

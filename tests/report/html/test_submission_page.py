@@ -1,5 +1,6 @@
 """The page of a submission says what its result says."""
 
+import copy
 import re
 from dataclasses import replace
 from typing import Any
@@ -192,6 +193,21 @@ def test_both_sentences_of_a_cause_are_translated() -> None:
 def test_the_page_speaks_german() -> None:
     """Every text of ours."""
     told = Reader(page_of("failing", "de")).text
-    assert "Was zu verbessern ist" in told
+    assert "Was zu beheben ist" in told
     assert "What to fix" not in told
     assert "bestanden" in told
+
+
+def test_cells_and_titles_speak_german(views: dict[str, Any]) -> None:
+    """What a ray met, what a scene is called, and that nothing shut the program in."""
+    seen = copy.deepcopy(views)
+    seen["tables"][0]["columns"][0] = [0, "hit", "miss"]
+    seen["pictures"][0]["title"] = "Stanford dragon"
+    result = to_json(samples.failing())
+    result["provenance"]["isolation"] = "none"
+    page = to_html(result, seen, "de")
+    assert "<td>getroffen</td>" in page
+    assert "<td>verfehlt</td>" in page
+    assert ">Stanford-Drache</h3>" in page
+    assert "<dt>Abschottung</dt><dd><code>keine</code></dd>" in page
+    assert "von 262.144 Pixeln weichen ab" in page
