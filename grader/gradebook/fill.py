@@ -5,11 +5,11 @@ it was. Nothing is scaled: an assignment out of 100 would turn 50 points into ha
 """
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from grader.errors import UsageError
-from grader.gradebook.columns import NO, Asked, Columns, columns_of
+from grader.gradebook.columns import NO, Asked, Columns, columns_of, listed
 from grader.gradebook.feedback import feedback_cell
 from grader.gradebook.matching import matched
 from grader.gradebook.results import Marked
@@ -38,7 +38,7 @@ class Filled:
     """Rows without a result: nothing was handed in."""
 
     problems: tuple[str, ...]
-    """Results that are in no row, and why."""
+    """Results that are in no row, and what nobody could look at; each with the reason."""
 
 
 def filled(
@@ -80,8 +80,30 @@ def filled(
         len(found.pairs) - kept,
         len(rows),
         tuple(empty),
-        tuple(problems),
+        (*problems, *unknown(table, host, columns)),
     )
+
+
+def unknown(table: Table, host: str, columns: Columns) -> Iterator[str]:
+    """Say what could not be looked at, or filled: Moodle's word for it is not known here."""
+    if host != "moodle":
+        return
+    among = f"row 1: among {listed(table.header)} is no known column"
+    if columns.feedback is None:
+        yield f"{among} for feedback, so nobody has any; name it with --feedback-column"
+    if table.header[columns.grade].endswith(")"):
+        # The gradebook's "Exercise 3 (Real)": only a worksheet tells about its assignment.
+        return
+    if columns.maximum is None:
+        yield (
+            f"{among} of the maximum, so nothing was compared with it; see that it is the "
+            "results' own before you upload the file"
+        )
+    if columns.changeable is None:
+        yield (
+            f"{among} that says whether a grade can be changed, so locked rows may be filled, "
+            "which Moodle passes over; look for them before you upload the file"
+        )
 
 
 def students(table: Table, host: str, columns: Columns) -> list[tuple[int, Line]]:

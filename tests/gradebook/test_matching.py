@@ -60,12 +60,12 @@ def test_gradescope_tells_number_and_address(tmp_path: Path) -> None:
 
 
 def test_a_number_stands_where_the_host_writes_it_in_any_language(tmp_path: Path) -> None:
-    """A French header says nothing here, but who names the column means what is in it."""
+    """A Dutch header says nothing here, but who names the column means what is in it."""
     whole_class = results_in(write_class(tmp_path, CLASS))
-    text = sheets.ENGLISH.replace("Identifier", "Identifiant").replace("Full name", "Nom")
-    asked = Asked(id="Identifiant")
+    text = sheets.ENGLISH.replace("Identifier", "Identificatie").replace("Full name", "Naam")
+    asked = Asked(id="Identificatie")
     assert fill(text, "moodle", whole_class, asked).filled == 4
-    assert fill(text, "moodle", whole_class, replace(asked, id="Nom")).filled == 2
+    assert fill(text, "moodle", whole_class, replace(asked, id="Naam")).filled == 2
     text = sheets.CANVAS.replace("Student,ID,", "Étudiant,Numéro,")
     given = a_class(lovelaceada_9001_55_x="right")
     asked = Asked(grade="Exercise 3 BVH", id="Numéro")
