@@ -57,8 +57,8 @@ def filled(
     rows = students(table, host, columns)
     found = matched(rows, columns, given)
     if not found.pairs:
-        about = (f"no row has any of the {len(given)} students", *found.problems)
-        raise UsageError("\n".join(about))
+        many = sum(not marked.is_nobody_s for marked in given)
+        raise UsageError("\n".join([f"no row has any of the {many} students", *found.problems]))
     comma = writes_commas(table, columns)
     problems = list(found.problems)
     for place, marked in found.pairs:

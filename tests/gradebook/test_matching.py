@@ -76,3 +76,13 @@ def test_everybody_is_told_if_nobody_is_in_a_file() -> None:
     """The first one may be the only one who is rightly missing."""
     with pytest.raises(UsageError, match="bob: no row has this student\neve: no row"):
         fill("email,score\nada,\n", "csv", a_class(bob="right", eve="right"))
+
+
+def test_an_old_folder_does_not_stand_in_its_student_s_way(tmp_path: Path) -> None:
+    """It would be a second result for the row; nobody's it is, and told."""
+    written = write_batch(tmp_path, "Moodle", {"jm": ("Jörg Müller", "103", "")})
+    write_class(tmp_path / "students", {"Jörg Müller_103_assignsubmission_file": "rejected"})
+    made = fill(sheets.ENGLISH, "moodle", results_in(written))
+    assert rules.moodle_worksheet(made.data, "en")[103][0] == 50
+    (told,) = made.problems
+    assert told.startswith("students/Jörg Müller_103_assignsubmission_file: batch.sqlite knows")
