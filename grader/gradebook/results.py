@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from grader.errors import UsageError
-from grader.gradebook.known import class_of, known_folders
+from grader.gradebook.known import class_of, is_students, known_folders
 from grader.gradebook.marks import HANDED_IN, moodle_mark
 from grader.gradebook.strict import damaged, finite, read_plain, refuse
 from grader.output import RESULT, STORE, STUDENT, STUDENTS
@@ -183,7 +183,8 @@ def _require_one_each(found: Sequence[Path]) -> None:
 def _owner(path: Path) -> Path:
     """Find the folder that is called after the student."""
     here = path.parent
-    return here.parent if here.name == USUAL_OUTPUT else here
+    # In a class somebody may be called so.
+    return here.parent if here.name == USUAL_OUTPUT and not is_students(here.parent) else here
 
 
 def _not_apart(folder: Path, file: Path) -> UsageError:

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from grader.errors import UsageError
-from grader.gradebook.results import Ids, ids_of, results_in
+from grader.gradebook.results import Ids, ids_of, result_paths, results_in
 from tests.gradebook.folders import CLASS, write_batch, write_class
 from tests.report import real
 
@@ -94,6 +94,17 @@ def test_only_the_store_of_a_class_says_whose_results_count(
     assert sorted(strays) == ["old", "students/bob"]
     assert all(one.is_nobody_s for one in strays.values())
     assert "knows no student of this folder" in strays["old"].why
+
+
+def test_somebody_of_a_class_may_be_called_like_a_folder_of_ours(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A class's folders are its students' own, so nobody is in the folder of another."""
+    students = {"ada": ("Ada", "", ""), "bvhgrade-out": ("bvhgrade-out", "", "")}
+    write_batch(tmp_path, "plain", students)
+    assert [one.student for one in results_in(tmp_path)] == ["ada", "bvhgrade-out"]
+    monkeypatch.chdir(tmp_path / "students")
+    assert len(result_paths(Path())) == 2, "as `report` looks for them"
 
 
 @pytest.mark.parametrize("folder", ["class/students", "class/students/ada", "."])
