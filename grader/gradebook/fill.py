@@ -64,7 +64,7 @@ def filled(
     for place, marked in found.pairs:
         if not marked.why:
             same_maximum(lines, place, columns, marked)
-        if reason := untouched(lines[place], columns, marked):
+        if reason := untouched(lines[place], host, columns, marked):
             problems.append(f"{marked.student}: row {place + 1} is left as it was: {reason}")
             continue
         points = grade_cell(marked.result["score"], comma, table.delimiter)
@@ -163,7 +163,7 @@ def number_in(text: str) -> float | None:
     return float(found[0].replace(",", ".")) if found else None
 
 
-def untouched(line: Line, columns: Columns, marked: Marked) -> str:
+def untouched(line: Line, host: str, columns: Columns, marked: Marked) -> str:
     """Say why a row has to stay as it is; empty if it has not."""
     if marked.why:
         return marked.why
@@ -172,8 +172,11 @@ def untouched(line: Line, columns: Columns, marked: Marked) -> str:
     changeable = "" if columns.changeable is None else line.value(columns.changeable)
     if changeable.strip().casefold() in NO:
         return "its grade cannot be changed there"
-    if line.value(columns.grade).strip().casefold() == "ex":
+    there = line.value(columns.grade).strip().casefold()
+    if there == "ex":
         return "this student is excused"
+    if there == "n/a" and host == "canvas":
+        return "the assignment is not this student's (N/A), so Canvas would drop the points"
     return ""
 
 

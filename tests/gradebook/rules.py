@@ -108,5 +108,5 @@ def canvas(data: bytes, users: dict[str, str], assignment: str) -> dict[str, flo
         if row[1] not in users:
             raise ImportAbortedError(f"{row[0]} would be offered as a new student")
         text = row[column].replace(",", ".")
-        taken[row[1]] = None if not text or text == "EX" else float(text)
+        taken[row[1]] = None if text in ("", "EX", "N/A") else float(text)
     return taken

@@ -136,6 +136,20 @@ def test_canvas_imports_the_points_of_one_assignment() -> None:
     )
 
 
+def test_who_is_not_assigned_in_canvas_gets_no_points() -> None:
+    """Canvas would drop them; in a list of one's own the same word is a cell like any other."""
+    text = sheets.CANVAS.replace("u2,grace,CG-1,,12,80", "u2,grace,CG-1,,N/A,80")
+    given = a_class(ada="right", grace="right")
+    made = fill(text, "canvas", given, Asked(grade="Exercise 3 BVH"))
+    assert made.filled == 1
+    assert b",grace,CG-1,,N/A,80" in made.data
+    assert made.problems == (
+        "grace: row 4 is left as it was: the assignment is not this student's (N/A), so Canvas "
+        "would drop the points",
+    )
+    assert fill("login,score\ngrace,N/A\nada,\n", "csv", given).filled == 2
+
+
 def test_a_plain_list_is_filled() -> None:
     """With German headers too."""
     text = "Matrikelnummer;Punkte;Kommentar\n777;;\n778;;\n"
