@@ -5,7 +5,7 @@ it was. Nothing is scaled: an assignment out of 100 would turn 50 points into ha
 """
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from grader.errors import UsageError
@@ -16,7 +16,7 @@ from grader.gradebook.results import Marked
 from grader.gradebook.table import Line, Table, read_table, written
 from grader.language import Words
 
-_COMMA = re.compile(r"\d+,\d+")
+_DECIMAL = re.compile(r"\d+([.,])\d+")
 _NUMBER = re.compile(r"\d+(?:[.,]\d+)?")
 _POSSIBLE = "Points Possible"
 """Stands in the first cell of a row of Canvas that is no student."""
@@ -135,9 +135,23 @@ def require_writable(table: Table, host: str, columns: Columns) -> None:
 
 
 def writes_commas(table: Table, columns: Columns) -> bool:
-    """Tell whether the file's own numbers have a comma in them."""
-    numbers = [n for n in (columns.grade, columns.maximum) if n is not None]
-    return any(_COMMA.fullmatch(line.value(n)) for line in table.lines for n in numbers)
+    """Tell whether the file's numbers have a comma in them.
+
+    Those of the assignment decide, else those of other columns. If there are none, semicolons
+    between cells are of a country whose numbers have a comma.
+    """
+    own = {number for number in (columns.grade, columns.maximum) if number is not None}
+    others = set(range(len(table.header))) - own
+    if signs := signs_in(table, own):
+        return "," in signs
+    signs = signs_in(table, others)
+    return "," in signs if len(signs) == 1 else table.delimiter == ";"
+
+
+def signs_in(table: Table, columns: Iterable[int]) -> set[str]:
+    """List what stands before the decimals of numbers in some columns."""
+    cells = (line.value(number).strip() for line in table.lines for number in columns)
+    return {found[1] for cell in cells if (found := _DECIMAL.fullmatch(cell))}
 
 
 def same_maximum(lines: Sequence[Line], place: int, columns: Columns, marked: Marked) -> None:

@@ -156,9 +156,31 @@ def test_a_plain_list_is_filled() -> None:
     made = fill(text, "csv", a_class(**{"777": "first-hit-wins", "778": "right"}))
     header, first, second = rules.read(made.data, ";")
     assert header == ["Matrikelnummer", "Punkte", "Kommentar"]
-    assert first[:2] == ["777", "38.25"]
+    assert first[:2] == ["777", "38,25"]
     assert second[:2] == ["778", "50"]
     assert "closest hit" in first[2]
+
+
+@pytest.mark.parametrize(
+    ("text", "points"),
+    [
+        ("email;score;sheet 1\nada;;7,5\n", "38,25"),
+        ("email;score;sheet 1\nada;;7.5\n", "38.25"),
+        ("email;score;sheet 1;sheet 2\nada;;7.5;7,5\n", "38,25"),
+        ("email;score;sheet 1\nada;7.5;7,5\n", "38.25"),
+        ("email;score;sheet 1\nada;;7\n", "38,25"),
+        ('email,score,sheet 1\nada,,"7,5"\n', "38,25"),
+        ("email,score,sheet 1\nada,,7.5\n", "38.25"),
+        ("email,score,day\nada,,7.5.2025\n", "38.25"),
+        ("email\tscore\nada\t\n", "38.25"),
+        ("email\tscore\tsheet 1\nada\t\t7,5\n", "38,25"),
+    ],
+)
+def test_points_are_written_as_the_file_writes_numbers(text: str, points: str) -> None:
+    """As in the assignment's own columns, else as in others, else as its delimiter says."""
+    made = fill(text, "csv", a_class(ada="first-hit-wins"))
+    sign = next(each for each in "\t;," if each in text)
+    assert rules.read(made.data, sign)[1][1] == points
 
 
 def test_columns_of_other_names_can_be_named() -> None:
