@@ -6,10 +6,10 @@ import sqlite3
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
-from urllib.parse import quote
 
 from grader.batch.keys import carry_over
 from grader.errors import OutputFault, UsageError
+from grader.gradebook.known import read_only
 from grader.output import STORE
 
 LOCK = ".batch.lock"
@@ -93,11 +93,8 @@ def read_base(folder: Path) -> Iterator[sqlite3.Connection]:
         if lock is not None:
             stack.callback(os.close, lock)
             _locked(lock, folder, fcntl.LOCK_SH)
-        # SQLite keeps a note of readers beside the file, and has to be told if it cannot.
-        how = "mode=ro" if os.access(folder, os.W_OK) else "mode=ro&immutable=1"
         with written():
-            name = quote(str((folder / STORE).absolute()).encode(errors="surrogateescape"))
-            base = sqlite3.connect(f"file:{name}?{how}", uri=True, isolation_level=None)
+            base = sqlite3.connect(read_only(folder), uri=True, isolation_level=None)
         stack.callback(base.close)
         with written():
             version = _version(base, folder)
