@@ -30,11 +30,11 @@ from grader.model.grade import Grade
 from grader.model.verdict import Verdict
 from grader.output import ready
 from grader.report.escape import line_for_terminal
+from grader.report.facts import OUTPUT
 
 if TYPE_CHECKING:
     from grader.report.failure import Occasion
 
-OUTPUT = "bvhgrade-out"
 USUAL_PLACES = ("src/exercise03.cpp", "student_stub/src/exercise03.cpp")
 
 

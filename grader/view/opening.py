@@ -10,7 +10,7 @@ from grader.model.grade import CheckScore
 from grader.model.verdict import Verdict
 from grader.options import Options
 from grader.plain import as_name, one_line
-from grader.report.facts import counterexample_file
+from grader.report.facts import OUTPUT, counterexample_file
 from grader.selection import require_check
 from grader.view.desk import Desk, Load
 from grader.view.status import is_vain
@@ -26,9 +26,6 @@ from grader.view.subject import (
 )
 
 USUAL_SCENE = "dragon"
-RESULTS = "bvhgrade-out"
-"""Where `check` and `grade` leave a result, if nobody says otherwise."""
-
 
 @dataclass(frozen=True, slots=True)
 class Wish:
@@ -98,7 +95,7 @@ def wanted(wish: Wish) -> Load:
         named = of_file(Path(wish.check))
         return lambda: named
     require_check(wish.options.rubric, wish.check, "--check")
-    for folder in (wish.path, wish.path.parent / RESULTS, Path(RESULTS)):
+    for folder in (wish.path, wish.path.parent / OUTPUT, Path(OUTPUT)):
         file = folder / counterexample_file(wish.check)
         if file.is_file():
             found = _found(file, wish.words)

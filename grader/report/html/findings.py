@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from grader.language import Words
-from grader.report.facts import FILE, costs, root
+from grader.report.facts import FILE, OUTPUT, costs, root
 from grader.report.hints import cause_in, told
 
 Json = Mapping[str, Any]
@@ -183,7 +183,8 @@ def _commands(check: Json, result: Json, words: Words) -> list[tuple[str, str]]:
     again = f"bvhgrade check {FILE} --seed {result['provenance']['seed']}"
     commands = [(words("Run this check again"), f"{again} --only {check['id']}")]
     if check["counterexample"] is not None:
-        file = shlex.quote(check["counterexample"]["file"])
+        # From the exercise's folder, as the other names; where the page lies it cannot know.
+        file = shlex.quote(f"{OUTPUT}/{check['counterexample']['file']}")
         commands.append((words("Run the smallest example alone"), f"{again} --replay {file}"))
         viewer = f"bvhgrade view {FILE} --check {file}"
         commands.append((words("Look at the smallest example from all sides"), viewer))

@@ -91,8 +91,8 @@ def test_a_failure_tells_everything_that_is_known() -> None:
     assert one.table == table
     again, replay, view = (command for _, command in one.commands)
     assert again == "bvhgrade check src/exercise03.cpp --seed 41 --only bvh.boxes-are-tight"
-    assert replay.endswith("--replay counterexamples/bvh.boxes-are-tight.json")
-    file = "counterexamples/bvh.boxes-are-tight.json"
+    file = "bvhgrade-out/counterexamples/bvh.boxes-are-tight.json"
+    assert replay == f"bvhgrade check src/exercise03.cpp --seed 41 --replay {file}"
     assert view == f"bvhgrade view src/exercise03.cpp --check {file}"
     assert len(one.hints) == 2
 
