@@ -23,8 +23,8 @@ from grader.cli.order import Order, call_of, is_whole, ordered, repetition
 from grader.cli.output import patient_stdout
 from grader.cli.progress import shown, shown_progress
 from grader.cli.replaying import replayed, require_alone
-from grader.cli.status import FULL_MARKS, LOST_POINTS, OUR_FAULT
-from grader.errors import UsageError
+from grader.cli.status import FULL_MARKS, INTERRUPTED, LOST_POINTS, OUR_FAULT, stop
+from grader.errors import Interrupted, UsageError
 from grader.language import translator
 from grader.model.grade import Grade
 from grader.model.verdict import Verdict
@@ -193,11 +193,7 @@ def occasion(order: Order, written: Path) -> "Occasion":
 
 
 def watch_over(order: Order, folder: Path) -> NoReturn:
-    """Grade at every save, until Ctrl-C.
-
-    Raises:
-        KeyboardInterrupt: At the end.
-    """
+    """Grade at every save, until Ctrl-C."""
     from rich.console import Console
 
     from grader.cli.watching import Watch, watch
@@ -212,7 +208,12 @@ def watch_over(order: Order, folder: Path) -> NoReturn:
     words = translator(order.language)
     path = line_for_terminal(str(order.path))
     click.echo(words("Watching {path}; Ctrl-C ends.").format(path=path))
-    watch(replace(order, views=False), Watch(graded, tell))
+    try:
+        watch(replace(order, views=False), Watch(graded, tell))
+    except (KeyboardInterrupt, Interrupted) as fault:
+        # Each finished run was stored, so more changed than after other interruptions.
+        status = getattr(fault, "status", INTERRUPTED)
+        stop(click.get_current_context(), "interrupted; the last finished run is kept", status)
 
 
 def say_if_quick(order: Order) -> None:

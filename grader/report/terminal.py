@@ -158,10 +158,13 @@ def check_line(sheet: Sheet, score: CheckScore, earned: str) -> None:
 def every_fault(sheet: Sheet, grade: Grade) -> None:
     """Name our own faults, which never cost points."""
     broken = [score for score in grade.checks if score.verdict is Verdict.BROKEN]
-    if not broken and not grade.needs_review:
+    if not broken:
         return
     sheet.blank()
-    told = sheet.words("The grader itself failed; nothing is concluded about the submission:")
+    told = sheet.words(
+        "The grader itself failed in these checks, which costs no points; your score is "
+        "withheld:"
+    )
     sheet.say(told, "magenta")
     for score in broken:
         sheet.beside("", f"{score.check}: {sheet.told(score.message)}")

@@ -5,7 +5,7 @@ from datetime import datetime
 from pathlib import Path
 
 from grader.errors import UsageError
-from grader.language import Words
+from grader.language import Words, translator
 from grader.model.grade import CheckScore
 from grader.model.verdict import Verdict
 from grader.options import Options
@@ -37,7 +37,12 @@ class Wish:
     check: str | None
     """Id of a check, or the file of a counterexample."""
 
-    words: Words
+    language: str = "en"
+
+    @property
+    def words(self) -> Words:
+        """What translates into it."""
+        return translator(self.language)
 
 
 def opening(wish: Wish, web: bool, picture: Path | None) -> str:
@@ -69,7 +74,7 @@ def _shown(wish: Wish, study: Study, desk: Desk, web: bool, picture: Path | None
     if web:
         from grader.view.server import served
 
-        served(desk, study, names, wish.words)
+        served(desk, study, names, wish.language)
     else:
         from grader.view.window import Window, opened
 

@@ -27,7 +27,7 @@ def test_a_withheld_score_is_no_number() -> None:
     """Our own fault is told as ours."""
     told = Reader(page_of("broken")).text
     assert "score withheld" in told
-    assert "nothing is concluded about the submission" in told
+    assert "failed in these checks, which costs no points; your score is withheld:" in told
     assert "Embree and the rule of closest hits disagree on ray 3" in told
 
 
