@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from grader.diagnose import every_hypothesis
 from grader.model.verdict import Verdict
-from grader.report.facts import NOT_STARTED
+from grader.report.facts import BEGIN, NOT_STARTED
 from grader.report.hints import LABELS, told
 from grader.score.rubric import load_rubric
 from grader.verify import every_check
@@ -24,7 +24,7 @@ LABELLED = {"beside", "command"}
 
 def messages() -> list[str]:
     """List each text once, in a fixed order."""
-    texts = [NOT_STARTED, *LABELS, "example", *(verdict.value for verdict in Verdict)]
+    texts = [NOT_STARTED, BEGIN, *LABELS, "example", *(verdict.value for verdict in Verdict)]
     texts += written_in_code()
     texts += written_in_templates()
     texts += [each.title for each in every_check()]

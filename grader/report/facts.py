@@ -24,6 +24,8 @@ FOLDER = "counterexamples"
 
 NOT_STARTED = "Part {part} is not started: {function} still does what the given code does."
 
+BEGIN = "Begin at the TODO in src/exercise03.cpp."
+
 FUNCTIONS = {"a": "BVH::construct", "b": "intersect"}
 """The function that each part asks for."""
 

@@ -13,6 +13,7 @@ from grader.report.sheet import Sheet
 from grader.report.terminal import (
     banner,
     every_fault,
+    first_step,
     header,
     is_exposed,
     not_begun,
@@ -44,6 +45,7 @@ def print_problem(console: Console, grade: Grade, occasion: Occasion, whole: boo
         every_fault(sheet, grade)
         worst_failure(sheet, grade, occasion)
         what_else(sheet, grade, whole)
+        first_step(sheet, grade, occasion)
     remarks(sheet, grade)
     sheet.show()
 

@@ -27,6 +27,7 @@ from grader.view.subject import (
 
 USUAL_SCENE = "dragon"
 
+
 @dataclass(frozen=True, slots=True)
 class Wish:
     """What somebody wants to look at."""
