@@ -78,8 +78,10 @@ def batch(folder_or_zip: Path | None, output: Path, **given: Any) -> None:  # no
             f"--regrade grades what {output} holds, and nothing of {folder_or_zip}; leave that "
             "out, or grade it into another folder"
         )
-    if not given["regrade"] and drop is None and (folder_or_zip is None or given["apply"]):
-        raise UsageError("name the folder or zip of a class; --apply goes with --regrade")
+    if given["apply"] and not given["regrade"]:
+        raise UsageError("--apply keeps what --regrade graded; give --regrade as well")
+    if not given["regrade"] and drop is None and folder_or_zip is None:
+        raise UsageError("name the folder or zip of a class, or give --regrade or --drop NAME")
     wish = Wish(
         given["seed"], given["rubric"], given["time_limit"], not given["unsafe_no_isolation"]
     )
@@ -105,7 +107,7 @@ def graded(path: Path, job: "Job") -> int:
 
     with opened_class(path) as source, opened_store(job.folder) as store:
         class_ = arranged(source, path.resolve().name)
-        tell_of(class_)
+        tell_of(path, class_)
         require_same(store, job)
         with shown_class() as watch:
             batch = Batch(job, store, watch)
@@ -147,7 +149,7 @@ def dropped(job: "Job", name: str) -> int:
             return told(job, batch.tabulate(), batch.troubles)
 
 
-def tell_of(class_: "Arrangement") -> None:
+def tell_of(path: Path, class_: "Arrangement") -> None:
     """Say what was found, and what is left out.
 
     Raises:
@@ -156,5 +158,8 @@ def tell_of(class_: "Arrangement") -> None:
     for name in class_.others:
         say(f"nobody's: `{as_name(name)}`")
     if not class_.places:
-        raise UsageError("there is no submission in it, but a class is expected")
+        raise UsageError(
+            f"{path}: there is no submission in it; name what holds a file or folder for each "
+            "student"
+        )
     say(f"{len(class_.places):,} submissions, {class_.layout} layout")

@@ -56,7 +56,7 @@ USUAL_PLACES = ("src/exercise03.cpp", "student_stub/src/exercise03.cpp")
 @click.option("--watch", is_flag=True, help="Run again at every save, until Ctrl-C.")
 @click.option("--quick", is_flag=True, help="Run only what finds most mistakes: seconds.")
 def check(submission: Path | None, watch: bool, **given: Any) -> None:  # noqa: ANN401 - click's own
-    """Grade your own code and explain what is wrong.
+    """Grade your own code, explain what is wrong, write bvhgrade-out/.
 
     SUBMISSION is a .cpp file, a folder or an archive that holds one exercise03.cpp; by default
     exercise03.cpp in src or student_stub/src.
@@ -78,7 +78,7 @@ def check(submission: Path | None, watch: bool, **given: Any) -> None:  # noqa: 
     raise Exit(status_of_check(result, order.only))
 
 
-@click.command()
+@click.command(short_help="Grade one submission and write result.json.")
 @click.argument("submission", type=submission_type)
 @click.option(
     "-o",
