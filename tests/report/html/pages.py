@@ -41,7 +41,8 @@ def spoilt(text: str, views: dict[str, Any]) -> str:
             names = ("message", "expected", "got", "hint")
             check |= {name: f"{name} {text}" for name in names}
             if found := check["counterexample"]:
-                found |= dict.fromkeys(("message", "expected", "got", "explanation"), text)
+                names = ("message", "expected", "got", "explanation")
+                found |= {name: f"{name} {text}" for name in names}
     result["build"]["diagnostics"] = [
         {"line": 1, "column": 2, "severity": "warning", "text": text}
     ]
