@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterator
 
 from grader.diagnose import every_hypothesis
 from grader.model.verdict import Verdict
-from grader.report.facts import NOT_STARTED
+from grader.report.facts import BEGIN, NOT_STARTED
 from grader.report.hints import LABELS, told
 from grader.report.nodes import LABELS as NODE_LABELS
 from grader.resources import scenes_folder
@@ -27,7 +27,7 @@ LABELLED = {"beside", "command"}
 
 def messages() -> list[str]:
     """List each text once, in a fixed order."""
-    texts = [NOT_STARTED, *LABELS, "example", *(verdict.value for verdict in Verdict)]
+    texts = [NOT_STARTED, BEGIN, *LABELS, "example", *(verdict.value for verdict in Verdict)]
     texts += written_in_code()
     texts += written_in_templates()
     texts += [each.title for each in every_check()]

@@ -22,7 +22,7 @@ LARGEST = 32 << 20
 """Bytes of a worksheet; one of 10,000 students with feedback has less."""
 
 
-@click.command()
+@click.command(short_help="Bring the results of a class into a gradebook.")
 @click.argument("host", type=click.Choice(["moodle", "canvas", "csv"]))
 @click.argument("folder", metavar="DIR", type=click.Path(exists=True, path_type=Path))
 @click.option(

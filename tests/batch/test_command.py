@@ -79,7 +79,7 @@ def test_a_folder_without_submissions_is_refused(tmp_path: Path, cache: Path) ->
     path = folder_of(tmp_path, "class", {"\x1b[31mnotes.txt": "x"})
     ended = batch(path, "-o", tmp_path / "out", "--unsafe-no-isolation", cache=cache)
     assert ended.returncode == 2
-    assert "no submission" in ended.stderr
+    assert f"{path}: there is no submission in it" in ended.stderr
     assert "\\x1b[31mnotes.txt" in ended.stdout
 
 
@@ -89,7 +89,7 @@ def test_all_that_is_not_graded_is_named(
     """However much there is: a student's file may be among it."""
     others = {f"{number}.pdf": "" for number in range(30)}
     with class_of(folder_of(tmp_path, "class", {"ada.cpp": RIGHT, **others})) as class_:
-        tell_of(class_)
+        tell_of(Path("class.zip"), class_)
     *named, last = capsys.readouterr().out.splitlines()
     assert named == [f"nobody's: `{name}`" for name in sorted(others)]
     assert last == "1 submissions, plain layout"

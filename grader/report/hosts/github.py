@@ -141,7 +141,7 @@ def classroom(result: Json, words: Words) -> Json:
     }
 
 
-def classroom_test(entry: Entry, words: Words = str) -> Json:
+def classroom_test(entry: Entry, words: Words) -> Json:
     """Write one check; the reporter prints its name and message into the log."""
     return {
         "name": short(f"{entry.id} {entry.title}"),
@@ -155,7 +155,7 @@ def classroom_test(entry: Entry, words: Words = str) -> Json:
     }
 
 
-def headline_of(entry: Entry, words: Words = str) -> str:
+def headline_of(entry: Entry, words: Words) -> str:
     """Word a check that has nothing to say; without it the reporter says it did not run."""
     return f"{entry.title} ({worth(entry, words)})"
 
