@@ -6,6 +6,9 @@ from pathlib import Path
 
 from grader.errors import OutputFault, UsageError
 
+OUTPUT = "bvhgrade-out"
+"""Where `check` and `grade` write, unless told otherwise."""
+
 RESULT = "result.json"
 VIEWS = "views.json"
 """What can be seen of the submission: `report.html` is made from it and from the result."""

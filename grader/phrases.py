@@ -7,6 +7,12 @@ is looked up in turn, so that `but {a} is closer` needs no sentence for each sur
 named `raw` holds a stranger's words, which stay as they are; so does whatever the catalogue
 lacks. Texts are matched piece by piece from the left, never by a regular expression, because a
 submission may have written parts of them.
+
+Checks write counts as English has them, `4,480 faces`. A hole that is a count and nothing else
+gets what the language puts between groups of digits, which the catalogue has as the translation
+of a comma; coordinates, names and a stranger's words stay. German gets a point: a narrow space
+would be better beside decimals, but `grader.plain` lets no space through but the ordinary one,
+at which a line may end.
 """
 
 import re
@@ -14,10 +20,11 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
 
-from grader.language import Words, catalogue
+from grader.language import Words, catalogue, translator
 
 HOLE = re.compile(r"\{([a-f]|raw)\}")
 RAW = "raw"
+COUNT = re.compile(r"[1-9]\d{0,2}(?:,\d{3})+")
 LONGEST = 2_000
 """Characters of a message that is looked at; ours have 300."""
 
@@ -63,6 +70,16 @@ class Sentence:
         return dict(zip(self.holes, found, strict=True)) if all(found) else None
 
 
+def counted(number: int, words: Words = str) -> str:
+    """Write a count: `14,811`."""
+    return regrouped(f"{number:,}", words)
+
+
+def regrouped(written: str, words: Words) -> str:
+    """Write in another language a count that is written in English."""
+    return written.replace(",", words(","))
+
+
 def teller(language: str) -> Words:
     """Return what tells messages of checks in a language; English ones stay as they are."""
     if language == "en":
@@ -79,6 +96,8 @@ def _told(text: str, language: str, depth: int) -> str:
     known = catalogue(language, "check")
     if text in known:
         return known[text]
+    if COUNT.fullmatch(text):
+        return regrouped(text, translator(language))
     if depth > DEEPEST or len(text) > LONGEST:
         return text
 

@@ -122,7 +122,7 @@ def number(hole: re.Match[str]) -> str:
             "4,356 of 14,811 wrong, first in `cloud-4, ordinary rays`: ray 39 (inbound) "
             "from (0.03, -0.97, 1.7) along (0.6, 0.7, -1.8): t is 1.4, but face 3 is hit "
             "at 0.9",
-            "4,356 von 14,811 falsch, zuerst in `cloud-4, ordinary rays`: Strahl 39 "
+            "4.356 von 14.811 falsch, zuerst in `cloud-4, ordinary rays`: Strahl 39 "
             "(inbound) von (0.03, -0.97, 1.7) entlang (0.6, 0.7, -1.8): t ist 1.4, aber "
             "Dreieck 3 wird bei 0.9 getroffen",
         ),

@@ -98,10 +98,12 @@ def read_base(folder: Path) -> Iterator[sqlite3.Connection]:
         stack.callback(base.close)
         with written():
             version = _version(base, folder)
-        if version != VERSION:
+        if version > VERSION:
+            raise _newer(folder, version)
+        if version < VERSION:
             raise UsageError(
-                f"{folder / STORE}: its schema is version {version}, but this grader reads "
-                f"{VERSION}; call `bvhgrade batch` again, which carries an older one over"
+                f"{folder / STORE}: an older grader wrote it; call `bvhgrade batch` again, "
+                "which carries it over"
             )
         yield base
 
@@ -122,6 +124,13 @@ def _no_store(folder: Path) -> UsageError:
     )
 
 
+def _newer(folder: Path, version: int) -> UsageError:
+    return UsageError(
+        f"{folder / STORE}: its schema is version {version}, but this grader reads {VERSION}; "
+        "use the grader that wrote it, or name another folder"
+    )
+
+
 def _locked(lock: int, folder: Path, how: int) -> None:
     try:
         fcntl.flock(lock, how | fcntl.LOCK_NB)
@@ -136,6 +145,8 @@ def _prepared(base: sqlite3.Connection, folder: Path) -> None:
         version = _version(base, folder)
         if version == 0 and base.execute("SELECT 1 FROM sqlite_schema").fetchone():
             raise _no_store(folder)
+        if version > VERSION:
+            raise _newer(folder, version)
         base.execute("PRAGMA journal_mode = WAL")
         base.execute("PRAGMA synchronous = FULL")
         if version == 0:
@@ -145,11 +156,6 @@ def _prepared(base: sqlite3.Connection, folder: Path) -> None:
             carry_over(base)
             base.execute(f"PRAGMA user_version = {VERSION}")
             base.execute("COMMIT")
-        elif version != VERSION:
-            raise UsageError(
-                f"{folder / STORE}: its schema is version {version}, but this grader reads "
-                f"{VERSION}; use the grader that wrote it, or name another folder with -o"
-            )
 
 
 @contextmanager

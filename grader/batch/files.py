@@ -4,6 +4,7 @@ import json
 import os
 import shutil
 from pathlib import Path
+from stat import S_ISREG
 
 from grader.batch.job import Job
 from grader.batch.records import Student
@@ -73,8 +74,17 @@ def is_written(student: Student, folder: Path, settings: Settings) -> bool:
     """
     own = folder / STUDENTS / student.slug
     return student.written == settings.digest and all(
-        (own / name).is_file() and (own / name).stat().st_size for name in (RESULT, STUDENT)
+        _is_there(own / name) for name in (RESULT, STUDENT)
     )
+
+
+def _is_there(path: Path) -> bool:
+    """Whether a file is there that holds something; power that fails can leave an empty one."""
+    try:
+        found = path.stat()
+    except OSError:
+        return False
+    return S_ISREG(found.st_mode) and found.st_size > 0
 
 
 def _on_disk(folder: Path) -> None:

@@ -23,6 +23,7 @@ from grader.batch.sources import Item, Source, notes
 from grader.errors import UsageError
 from grader.gradebook.marks import HANDED_IN, moodle_mark
 from grader.intake.candidates import Entry, is_source
+from grader.output import OUTPUT
 from grader.plain import as_name
 
 _CANVAS_FILE = r"_(?:\d+_(.+)|(?:text|link)\.html)"
@@ -33,9 +34,6 @@ _CANVAS_ANONYMOUS = re.compile(r"(?:LATE_)?(anon_([A-Za-z0-9]+))" + _CANVAS_FILE
 _CANVAS_COPY = re.compile(r"^(exercise03)-\d+(\.cpp)\Z")
 _OF_GRADESCOPE = re.compile(r"submission_\d+")
 _GITHUB = "-submissions"
-
-OUTPUT = "bvhgrade-out"
-"""What `bvhgrade grade` leaves where it is called."""
 
 MOST_NAMED = 3
 
@@ -148,7 +146,7 @@ def _require_few(layout: str, own: Sequence[Item], marked: Sequence[Item]) -> No
     """
     if 2 * len(marked) <= len(own):
         return
-    odd = [one.name for one in own if one not in marked]
+    odd = sorted({one.name for one in own} - {one.name for one in marked})
     names = ", ".join(f"`{as_name(name)}`" for name in odd[:MOST_NAMED])
     more = f" and {len(odd) - MOST_NAMED:,} more" if len(odd) > MOST_NAMED else ""
     raise UsageError(

@@ -5,11 +5,11 @@ import re
 import unicodedata
 from collections.abc import Callable
 
-from grader.gradebook.results import USUAL_OUTPUT
+from grader.output import OUTPUT
 
 LONGEST = 60
 _OTHER = re.compile(r"[^a-z0-9]+")
-_RESERVED = re.compile(rf"con|prn|aux|nul|com\d|lpt\d|{USUAL_OUTPUT}")
+_RESERVED = re.compile(rf"con|prn|aux|nul|com\d|lpt\d|{OUTPUT}")
 """Devices that Windows sees in any folder, and a folder that belongs to who is above it."""
 
 

@@ -69,6 +69,8 @@ def certify(
 
     Exit status: 0 nothing speaks against the grader, 1 there is a hole or a difference.
     """
+    if given["into"] and not given["counterexamples"]:
+        raise UsageError("--into keeps what --counterexamples finds; give that as well")
     if given["mutants"]:
         from grader.cli.mutants import study
 

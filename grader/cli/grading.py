@@ -28,9 +28,8 @@ from grader.errors import Interrupted, UsageError
 from grader.language import translator
 from grader.model.grade import Grade
 from grader.model.verdict import Verdict
-from grader.output import ready
+from grader.output import OUTPUT, ready
 from grader.report.escape import line_for_terminal
-from grader.report.facts import OUTPUT
 
 if TYPE_CHECKING:
     from grader.report.failure import Occasion

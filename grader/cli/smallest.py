@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from grader.errors import UsageError
+from grader.output import ready
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -28,6 +29,8 @@ def search(
     paths = [one.path for one in wrong_submissions() if match in name_of(one.path)]
     if not paths:
         raise UsageError(f"--match {match}: no wrong submission has such a name")
+    if into:
+        ready(into)
     undecided = []
 
     def tell(name: str, found: "Sequence[Smallest] | None") -> None:

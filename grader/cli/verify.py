@@ -15,7 +15,7 @@ from grader.cli.options import rubric_option, submission_type, time_option, unsa
 from grader.cli.order import Order, ordered
 from grader.cli.status import FULL_MARKS, LOST_POINTS, OUR_FAULT
 from grader.errors import UsageError
-from grader.output import STORE
+from grader.gradebook.known import class_of
 from grader.report.escape import line_for_terminal
 
 if TYPE_CHECKING:
@@ -77,7 +77,7 @@ def submitted(result: Path, named: Path | None, sha256: str | None) -> Iterator[
             "be read, so nothing is kept that could be graded again; name what was handed in: "
             "bvhgrade verify RESULT SUBMISSION"
         )
-    home = class_of(result)
+    home = class_of(result.parent)
     if home is None:
         raise UsageError(
             f"{result} is in no class's folder, which would hold the submission; name it as "
@@ -93,18 +93,13 @@ def submitted(result: Path, named: Path | None, sha256: str | None) -> Iterator[
         yield path
 
 
-def class_of(result: Path) -> Path | None:
-    """Find the folder of the class that a result lies in."""
-    return next((each for each in result.resolve().parents if (each / STORE).is_file()), None)
-
-
 def settings_of(result: Path) -> "Settings | None":
     """Find what the class that a result lies in was graded with; None if that is not known.
 
     Raises:
         UsageError: A batch uses the store.
     """
-    folder = class_of(result)
+    folder = class_of(result.parent)
     if folder is None:
         return None
     from grader.batch.store import read_store

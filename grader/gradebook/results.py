@@ -17,16 +17,13 @@ from grader.errors import UsageError
 from grader.gradebook.known import class_of, is_students, known_folders
 from grader.gradebook.marks import HANDED_IN, moodle_mark
 from grader.gradebook.strict import damaged, finite, read_plain, refuse
-from grader.output import RESULT, STORE, STUDENT, STUDENTS
+from grader.output import OUTPUT, RESULT, STORE, STUDENT, STUDENTS
 from grader.plain import as_name, one_line
 from grader.report.as_json import SCHEMA_VERSION, Json, schema_text
 from grader.report.escape import LARGEST_JSON
 
 LARGEST_NAMES = 1 << 16
 """Bytes of a file that says whose folder it is."""
-
-USUAL_OUTPUT = "bvhgrade-out"
-"""Where `bvhgrade grade` writes by itself; the folder above it is the student's then."""
 
 _CANVAS = re.compile(r"[^\W_]+_(?:LATE_)?(?P<canvas>\d+)_\d+_", re.IGNORECASE)
 LONGEST_PLACE = 80
@@ -183,8 +180,8 @@ def _require_one_each(found: Sequence[Path]) -> None:
 def _owner(path: Path) -> Path:
     """Find the folder that is called after the student."""
     here = path.parent
-    # In a class somebody may be called so.
-    return here.parent if here.name == USUAL_OUTPUT and not is_students(here.parent) else here
+    # Where `grade` writes by itself, the folder above is the student's; in a class it is not.
+    return here.parent if here.name == OUTPUT and not is_students(here.parent) else here
 
 
 def _not_apart(folder: Path, file: Path) -> UsageError:

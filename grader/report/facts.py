@@ -16,9 +16,6 @@ if TYPE_CHECKING:
 FILE = "src/exercise03.cpp"
 """Name of the student's file in every message, wherever it really lies."""
 
-OUTPUT = "bvhgrade-out"
-"""Where `check` and `grade` write, unless told otherwise."""
-
 FOLDER = "counterexamples"
 """Where the files of counterexamples lie, beside `result.json`."""
 

@@ -12,7 +12,7 @@ from importlib.resources import files
 
 from grader.language import Words
 from grader.model.grade import CheckScore
-from grader.report.counts import counted, regrouped
+from grader.phrases import counted, regrouped
 
 NO_HINTS, WITH_CAUSE, WITH_QUESTION, WITH_TRIAL = range(4)
 """Steps of `--hints`; each tells what the one before it does, and one thing more."""

@@ -6,7 +6,7 @@ from grader.language import translator
 from grader.model.grade import Grade
 from grader.model.stages import Rejected
 from grader.model.verdict import Verdict
-from grader.report.counts import teller
+from grader.phrases import teller
 from grader.report.facts import unstarted, worst
 from grader.report.failure import Occasion
 from grader.report.sheet import Sheet

@@ -11,7 +11,7 @@ from rich.text import Text
 
 from grader.language import Words
 from grader.model.verdict import Verdict
-from grader.report.counts import counted
+from grader.phrases import counted
 from grader.report.escape import for_terminal, line_for_terminal, unheard
 
 MIN_WIDTH = 56

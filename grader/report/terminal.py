@@ -7,7 +7,7 @@ from grader.language import Words, translator
 from grader.model.grade import CheckScore, Grade, PartScore
 from grader.model.stages import Rejected
 from grader.model.verdict import Verdict
-from grader.report.counts import teller
+from grader.phrases import teller
 from grader.report.facts import BEGIN, FUNCTIONS, NOT_STARTED, unstarted, withheld, worst
 from grader.report.failure import Occasion, compile_errors, explain, points, with_unit
 from grader.report.sheet import STYLES, Sheet

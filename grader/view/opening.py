@@ -9,8 +9,9 @@ from grader.language import Words, translator
 from grader.model.grade import CheckScore
 from grader.model.verdict import Verdict
 from grader.options import Options
+from grader.output import OUTPUT
 from grader.plain import as_name, one_line
-from grader.report.facts import OUTPUT, counterexample_file
+from grader.report.facts import counterexample_file
 from grader.selection import require_check
 from grader.view.desk import Desk, Load
 from grader.view.status import is_vain

@@ -1,15 +1,19 @@
 """A class's store belongs to one batch at a time, and to this version of it."""
 
 import sqlite3
+from collections.abc import Callable
+from contextlib import AbstractContextManager, closing
 from pathlib import Path
 
 import pytest
 
-from grader.batch.store import opened_store, read_store
+from grader.batch.store import Store, opened_store, read_store
 from grader.cli.batch import dropped
 from grader.errors import OutputFault, UsageError
 from tests.batch.classes import CODE, folder_of, grade, points
 from tests.batch.stand_in import SETTINGS, job
+
+Opened = Callable[[Path], AbstractContextManager[Store]]
 
 
 def test_a_second_batch_is_kept_away(tmp_path: Path) -> None:
@@ -54,37 +58,38 @@ def test_a_class_can_be_read_where_nothing_can_be_written(
             store.make_current(SETTINGS)
 
 
-def test_an_older_store_is_not_carried_over_by_a_reader(tmp_path: Path) -> None:
-    """Who grades does that."""
-    with sqlite3.connect(tmp_path / "batch.sqlite") as base:
-        base.execute("PRAGMA user_version = 1")
-    base.close()
-    with pytest.raises(UsageError, match="call `bvhgrade batch` again"), read_store(tmp_path):
+def made_otherwise(folder: Path, statement: str) -> None:
+    """Make a data base that no batch of today has made."""
+    with closing(sqlite3.connect(folder / "batch.sqlite")) as base, base:
+        base.execute(statement)
+
+
+@pytest.mark.parametrize(
+    ("opened", "statement", "words"),
+    [
+        (read_store, "PRAGMA user_version = 1", "call `bvhgrade batch` again"),
+        (read_store, "PRAGMA user_version = 99", "version 99"),
+        (opened_store, "PRAGMA user_version = 99", "version 99"),
+        (opened_store, "CREATE TABLE student (name TEXT)", "no store of results"),
+    ],
+    ids=["older, read", "newer, read", "newer", "another one"],
+)
+def test_another_data_base_is_left_alone(
+    tmp_path: Path, opened: Opened, statement: str, words: str
+) -> None:
+    """Neither read wrongly nor changed; an older one is carried over by who grades."""
+    made_otherwise(tmp_path, statement)
+    before = (tmp_path / "batch.sqlite").read_bytes()
+    with pytest.raises(UsageError, match=words), opened(tmp_path):
         pass
+    assert (tmp_path / "batch.sqlite").read_bytes() == before
 
 
-def test_another_data_base_is_left_alone(tmp_path: Path) -> None:
-    """It has the file's name, and tables of its own."""
-    with sqlite3.connect(tmp_path / "batch.sqlite") as base:
-        base.execute("CREATE TABLE student (name TEXT)")
-    base.close()
-    with pytest.raises(UsageError, match="no store of results"), opened_store(tmp_path):
-        pass
-
-
-def test_a_store_of_another_version_is_left_alone(tmp_path: Path) -> None:
-    """Neither read wrongly nor changed."""
-    with sqlite3.connect(tmp_path / "batch.sqlite") as base:
-        base.execute("PRAGMA user_version = 99")
-    base.close()
-    with pytest.raises(UsageError, match="version 99"), opened_store(tmp_path):
-        pass
-
-
-def test_a_file_that_is_no_store_is_left_alone(tmp_path: Path) -> None:
+@pytest.mark.parametrize("opened", [read_store, opened_store])
+def test_a_file_that_is_no_store_is_left_alone(tmp_path: Path, opened: Opened) -> None:
     """Somebody else's file of this name."""
     (tmp_path / "batch.sqlite").write_bytes(b"this is no data base at all" * 100)
-    with pytest.raises(UsageError, match="no store of results"), opened_store(tmp_path):
+    with pytest.raises(UsageError, match="no store of results"), opened(tmp_path):
         pass
 
 

@@ -182,3 +182,11 @@ def test_the_command_stores_and_tells(
     assert f"wrong/{name}: {CLOSEST} 2 faces 1 rays" in result.output
     assert stored_smallest() == found
     assert "| all | 1 | 1 | 2 | 1 | 2 |\n" in (tmp_path / "certificate.md").read_text()
+
+
+def test_a_folder_for_inputs_goes_with_their_search(tmp_path: Path) -> None:
+    """Nothing else finds any, and nobody would see that none is kept."""
+    result = CliRunner().invoke(cli, ["certify", "--stored", "--into", str(tmp_path / "a")])
+    assert result.exit_code == 2
+    assert "--into keeps what --counterexamples finds; give that as well" in result.output
+    assert not (tmp_path / "a").exists()

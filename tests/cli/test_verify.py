@@ -45,8 +45,8 @@ def test_a_class_holds_what_was_graded(pipeline: Pipeline, tmp_path: Path) -> No
         return grade
 
     pipeline.answer = answer
-    stored = tmp_path / "ada" / "result.json"
-    stored.parent.mkdir()
+    stored = tmp_path / "students" / "ada" / "result.json"
+    stored.parent.mkdir(parents=True)
     stored.write_text(to_text(grade))
     ended = call("verify", str(stored))
     assert (ended.exit_code, ended.output) == (0, "reproduced: 50 of 50\n")

@@ -9,8 +9,8 @@ from rich.console import Console
 
 from grader.language import translator
 from grader.model.grade import Cause
+from grader.phrases import counted, regrouped, teller
 from grader.report.as_json import to_json
-from grader.report.counts import counted, regrouped, teller
 from grader.report.hints import likely_cause
 from grader.report.hosts import github, github_summary
 from grader.report.html.submission import to_html

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from grader.language import Words, translator
+from grader.phrases import teller
 from grader.report.class_row import (
     Bar,
     Row,
@@ -15,7 +16,6 @@ from grader.report.class_row import (
     most_failed,
     names_of,
 )
-from grader.report.counts import teller
 from grader.report.escape import for_csv
 from grader.report.hints import told
 from grader.report.html.page import SIGNS, page

@@ -7,8 +7,9 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from grader.language import Words
-from grader.report.counts import counted
-from grader.report.facts import FILE, OUTPUT, costs, root
+from grader.output import OUTPUT
+from grader.phrases import counted
+from grader.report.facts import FILE, costs, root
 from grader.report.hints import cause_in, told
 
 Json = Mapping[str, Any]

@@ -6,9 +6,9 @@ from typing import Any
 
 from grader.errors import OutputFault
 from grader.language import Words
+from grader.phrases import counted
 from grader.plain import one_line
 from grader.report.colours import HEAT, MAGMA
-from grader.report.counts import counted
 from grader.report.views import MOST_PACKED
 
 Json = Mapping[str, Any]

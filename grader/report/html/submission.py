@@ -5,7 +5,7 @@ from dataclasses import replace
 from typing import Any
 
 from grader.language import Words, translator
-from grader.report.counts import teller
+from grader.phrases import teller
 from grader.report.facts import BEGIN, FILE, FUNCTIONS, NOT_STARTED
 from grader.report.hosts.told import VISIBLE, withheld
 from grader.report.html.findings import failures, idle_parts, points, spoken

@@ -49,6 +49,12 @@ def visit(browser: Browser, tmp_path: Path) -> Generator[Visit]:
     assert not noticed
 
 
+def ready(page: Page) -> Page:
+    """Wait until a model is shown."""
+    page.locator("#room[data-shown]").wait_for()
+    return page
+
+
 def watch(page: Page, own: str, noticed: list[str]) -> None:
     """Note errors, and requests for anything but the file and what is inside of it."""
 
