@@ -11,6 +11,7 @@ from pathlib import Path
 from grader.certify.corpus import corpus_folder
 from grader.certify.matrix import SEED
 from grader.cli.progress import silent
+from grader.errors import GraderError
 from grader.options import Options
 from grader.sandbox.crew import mapped
 from grader.view.desk import Desk
@@ -25,6 +26,13 @@ SIDE = 24
 
 def fault_of(file: Path) -> str:
     """Open a counterexample, and say why it does not open; empty if it does."""
+    try:
+        return _opened(file)
+    except GraderError as fault:
+        return str(fault)
+
+
+def _opened(file: Path) -> str:
     submission = corpus_folder() / "wrong" / f"{file.parent.name}.cpp"
     options = Options(SEED, None, (), silent)
     with Desk(submission, options, lambda: of_file(file)) as desk:
