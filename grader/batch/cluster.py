@@ -8,6 +8,7 @@ asks for the news. Whatever is wrong with the cluster as a whole ends the block:
 is kept, and the same command goes on.
 """
 
+import gc
 import hashlib
 import logging
 import secrets
@@ -15,7 +16,7 @@ import time
 import warnings
 from collections.abc import Iterator
 from concurrent.futures import CancelledError
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from queue import Empty, SimpleQueue
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, Protocol, Self
@@ -235,13 +236,29 @@ def _connected(address: str) -> "Client":
     for name in TALKATIVE:
         logging.getLogger(name).setLevel(logging.CRITICAL)
     try:
-        with warnings.catch_warnings():
+        with warnings.catch_warnings(), _uncollected():
             # It warns of other versions of anything; we look at those that matter.
             warnings.simplefilter("ignore")
             return Client(address, timeout=PATIENCE_SECONDS, set_as_default=False)
     except _UNREACHABLE as fault:
         why = printable(str(fault) or type(fault).__name__, LONGEST_FAULT)
         raise WorkerFault(f"the cluster {address} cannot be reached: {why}") from fault
+
+
+@contextmanager
+def _uncollected() -> Iterator[None]:
+    """Keep Python from collecting garbage meanwhile.
+
+    A client that could not connect closes itself when it is collected, and waits for a lock
+    that one that starts holds: for ever, if that is what is going on in the same thread.
+    Source: distributed, `Client.__del__` and `LoopRunner.start`.
+    """
+    gc.collect()
+    gc.disable()
+    try:
+        yield
+    finally:
+        gc.enable()
 
 
 def require_versions(client: Versioned, address: str) -> None:

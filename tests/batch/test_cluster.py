@@ -1,5 +1,6 @@
 """A class is graded by a cluster as by this machine, whatever happens to the machines."""
 
+import gc
 import shutil
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -8,6 +9,7 @@ from pathlib import Path
 import pytest
 from distributed import Client
 
+from grader.batch import cluster as module
 from grader.batch.cluster import Cluster, require_versions
 from grader.batch.settings import settled
 from grader.errors import UsageError, WorkerFault
@@ -172,6 +174,19 @@ def test_a_scheduler_that_cannot_be_reached_is_told(
     path = folder_of(tmp_path, "class", {"ada.cpp": CODE})
     with pytest.raises(WorkerFault, match="cannot be reached"):
         grade(path, job(tmp_path / "out", None, address))
+
+
+def test_no_client_is_collected_while_one_starts(monkeypatch: pytest.MonkeyPatch) -> None:
+    """An earlier one that could not connect would wait for this one's lock, and this for it."""
+    seen: list[bool] = []
+
+    def started(*_: object, **__: object) -> object:
+        seen.append(gc.isenabled())
+        return object()
+
+    monkeypatch.setattr("distributed.Client", started)
+    module._connected("tcp://127.0.0.1:1")
+    assert (seen, gc.isenabled()) == ([False], True)
 
 
 def test_a_client_that_does_not_start_is_told(
