@@ -11,7 +11,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from grader.model.mesh import Bvh, Floats, FrozenArrays, Indices, Integers, Mask, Mesh
+from grader.model.mesh import Bvh, Floats, FrozenArrays, Integers, Mask, Mesh
 from grader.tolerances import FACES_PER_LEAF
 
 BLOCK = 16384
