@@ -3,16 +3,28 @@
 import gettext
 import re
 import struct
+from collections import Counter
 from io import BytesIO
 from pathlib import Path
 
 import pytest
 
 from grader.language import LANGUAGES, catalogue, parsed, translator, usual_language
-from tests.messages import messages
+from grader.report.sheet import LABEL_WIDTH
+from tests.messages import labels, messages
+from tests.own_files import ROOT
 
 PLACEHOLDER = re.compile(r"\{[a-z]*\}")
 CODE = re.compile(r"`[^`]*`")
+KEY = re.compile(r'^(?:msgctxt "(.*)"\n)?msgid ((?:".*"\n)+)', re.MULTILINE)
+"""Context and text of an entry."""
+
+OTHER_NAMES = (
+    *("(?<!Ober)[Ff]läche", "[Mm]ittelpunkt", "Übung", "Grader", "[Ii]solier", "Exception"),
+    *("[Kk]ompil", "Kosten", "Fehlschuss", "fehlschl", r"schl[aä]g\w* .*fehl"),
+)
+"""What German says once as Dreieck, Schwerpunkt, Aufgabe, Bewertung, Abschottung, Ausnahme,
+übersetzen, Aufwand, ohne Treffer and nicht bestanden."""
 
 
 @pytest.mark.parametrize("language", [each for each in LANGUAGES if each != "en"])
@@ -31,11 +43,39 @@ def test_translations_have_the_same_placeholders(language: str) -> None:
         assert set(CODE.findall(english)) == set(CODE.findall(other))
 
 
+@pytest.mark.parametrize("language", [each for each in LANGUAGES if each != "en"])
+def test_no_text_is_translated_twice(language: str) -> None:
+    """As msgfmt -c demands; of two entries the later one would win without a word."""
+    text = (ROOT / "grader" / "locale" / f"{language}.po").read_text(encoding="utf-8")
+    assert [each for each, times in Counter(KEY.findall(text)).items() if times > 1] == []
+
+
+def test_an_entry_that_is_there_twice_is_seen() -> None:
+    """The same text in another context is another entry."""
+    plain, other = 'msgid "a"\nmsgstr "1"\n\n', 'msgctxt "check"\nmsgid "a"\nmsgstr "2"\n\n'
+    assert len(set(KEY.findall(plain + other))) == 2
+    assert len(set(KEY.findall(plain + other + plain))) == 2
+    assert len(KEY.findall(plain + other + plain)) == 3
+
+
+@pytest.mark.parametrize("word", OTHER_NAMES)
+def test_one_thing_has_one_german_name(word: str) -> None:
+    """Whoever reads of a Fläche would ask how it differs from a Dreieck."""
+    told = [*catalogue("de").values(), *catalogue("de", "check").values()]
+    assert [each for each in told if re.search(word, each)] == []
+
+
+@pytest.mark.parametrize("label", sorted(labels()))
+def test_a_label_fits_into_its_column(label: str) -> None:
+    """What stands beside it in a terminal begins at the same place in each language."""
+    assert len(translator("de")(label)) <= LABEL_WIDTH
+
+
 def test_an_unknown_text_stays_as_it_is() -> None:
     """A rubric's own title, for example."""
     assert translator("de")("Bonus exercise") == "Bonus exercise"
     assert translator("en")("fail") == "fail"
-    assert translator("de")("fail") == "falsch"
+    assert translator("de")("fail") == "nicht bestanden"
 
 
 @pytest.mark.parametrize(

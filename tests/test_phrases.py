@@ -124,11 +124,11 @@ def number(hole: re.Match[str]) -> str:
             "at 0.9",
             "4,356 von 14,811 falsch, zuerst in `cloud-4, ordinary rays`: Strahl 39 "
             "(inbound) von (0.03, -0.97, 1.7) entlang (0.6, 0.7, -1.8): t ist 1.4, aber "
-            "Fläche 3 wird bei 0.9 getroffen",
+            "Dreieck 3 wird bei 0.9 getroffen",
         ),
         (
             "pixel (3, 4): no hit, but face 3 at t = 2 is closer",
-            "Pixel (3, 4): kein Treffer, aber Fläche 3 bei t = 2 ist näher",
+            "Pixel (3, 4): kein Treffer, aber Dreieck 3 bei t = 2 ist näher",
         ),
         (
             "1 of 3 wrong, first in `tree over strip-x`: stopped after 10 s",
@@ -142,10 +142,10 @@ def number(hole: re.Match[str]) -> str:
         ),
         (
             "node 3 holds 5 faces and is a leaf, but nodes of more than 4 are split",
-            "Knoten 3 enthält 5 Flächen und ist ein Blatt, aber Knoten mit mehr als 4 werden "
-            "geteilt",
+            "Knoten 3 enthält 5 Dreiecke und ist ein Blatt, aber Knoten mit mehr als 4 "
+            "werden geteilt",
         ),
-        ("2 faces, 1 ray", "2 Flächen, 1 Strahl"),
+        ("2 faces, 1 ray", "2 Dreiecke, 1 Strahl"),
     ],
 )
 def test_whole_messages_are_told(english: str, german: str) -> None:
@@ -196,8 +196,8 @@ def test_why_a_file_is_refused_is_told_in_german(name: str) -> None:
         ),
         (
             "with sanitizers it does not compile, so memory is not safe: line 3: no hit",
-            "mit Sanitizern lässt sie sich nicht kompilieren, also ist der Speicher nicht "
-            "sicher: Zeile 3: no hit",
+            "mit Sanitizern lässt sich die Datei nicht übersetzen, also gilt der Umgang mit "
+            "Speicher nicht als sicher: Zeile 3: no hit",
         ),
         (
             "views.json is missing, which is our own fault (KeyError) and costs no point",
@@ -213,7 +213,7 @@ def test_remarks_are_told_in_german(english: str, german: str) -> None:
 def test_a_stranger_s_words_stay_as_they_are() -> None:
     """The text of an exception is no sentence of ours, whatever it says."""
     assert GERMAN("threw an exception: node 3 and face 2: no hit") == (
-        "warf eine Exception: node 3 and face 2: no hit"
+        "warf eine Ausnahme: node 3 and face 2: no hit"
     )
 
 

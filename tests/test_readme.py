@@ -97,7 +97,7 @@ def assert_foreign(program: str, arguments: list[str]) -> None:
         assert set(arguments[2:]) <= installed_packages()
     elif program == "pip":
         project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
-        named = re.findall(r"bvhgrade\[(\w+)\]", " ".join(arguments))
+        named = re.findall(r"(?:bvhgrade|CHECKOUT)\[(\w+)\]", " ".join(arguments))
         assert set(named) <= set(project["optional-dependencies"])
         assert arguments[0] == ("install" if named else "download")
     elif program == "python":

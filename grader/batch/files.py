@@ -1,6 +1,7 @@
 """What lies in each student's folder? What the store holds, under the student's own name."""
 
 import json
+import os
 import shutil
 from pathlib import Path
 
@@ -52,6 +53,10 @@ class Results:
         except UsageError as fault:
             raise OutputFault(str(fault)) from fault
         write_whole(folder / STUDENT, _known(student))
+        try:
+            _on_disk(folder)
+        except OSError as fault:
+            raise OutputFault(f"{folder} could not be written: {fault.strerror}") from fault
         # What we failed to grade is written anew each time, as it is graded anew.
         written = "" if student.fault else self._job.settings.digest
         self._store.mark_written(student, written)
@@ -68,8 +73,18 @@ def is_written(student: Student, folder: Path, settings: Settings) -> bool:
     """
     own = folder / STUDENTS / student.slug
     return student.written == settings.digest and all(
-        (own / name).is_file() for name in (RESULT, STUDENT)
+        (own / name).is_file() and (own / name).stat().st_size for name in (RESULT, STUDENT)
     )
+
+
+def _on_disk(folder: Path) -> None:
+    """Wait until a student's files are on disk: the store will say that they are written."""
+    for path in (folder / RESULT, folder / STUDENT, folder):
+        handle = os.open(path, os.O_RDONLY | os.O_CLOEXEC | os.O_NOFOLLOW)
+        try:
+            os.fsync(handle)
+        finally:
+            os.close(handle)
 
 
 def remove_folder(job: Job, student: Student) -> None:

@@ -20,8 +20,10 @@ from itertools import chain
 from grader.batch.gradescope import METADATA, Submitter, submitters
 from grader.batch.keys import anonymous_key, gradescope_key, key_of, stem_of
 from grader.batch.sources import Item, Source, notes
+from grader.errors import UsageError
 from grader.gradebook.marks import HANDED_IN, moodle_mark
 from grader.intake.candidates import Entry, is_source
+from grader.plain import as_name
 
 _CANVAS_FILE = r"_(?:\d+_(.+)|(?:text|link)\.html)"
 """A file with a number of its own, or what was typed, which Canvas writes into one."""
@@ -31,6 +33,11 @@ _CANVAS_ANONYMOUS = re.compile(r"(?:LATE_)?(anon_([A-Za-z0-9]+))" + _CANVAS_FILE
 _CANVAS_COPY = re.compile(r"^(exercise03)-\d+(\.cpp)\Z")
 _OF_GRADESCOPE = re.compile(r"submission_\d+")
 _GITHUB = "-submissions"
+
+OUTPUT = "bvhgrade-out"
+"""What `bvhgrade grade` leaves where it is called."""
+
+MOST_NAMED = 3
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,7 +95,7 @@ def arranged(source: Source, name: str) -> Arrangement:
         name: Of its folder or zip.
     """
     items = source.items()
-    results = [one for one in items if _is_of_results(source, one)]
+    results = [one for one in items if one.name == OUTPUT or _is_of_results(source, one)]
     members = [one for one in items if one not in results]
     stem = name.removesuffix(".zip")
     if len(members) == 1 and members[0].is_folder and not _is_marked(members[0].name, stem):
@@ -123,7 +130,31 @@ def _arranged(source: Source, items: Sequence[Item], stem: str) -> tuple[str, li
     prefix = _prefix(stem)
     if prefix and all(one.name.startswith(prefix) for one in items if one.is_folder):
         return "GitHub Classroom", list(_github(items, prefix))
-    return "plain", [_plain(one) for one in items if _is_own(one)]
+    own = [one for one in items if _is_own(one)]
+    for layout, read in (("Moodle", _moodle), ("Canvas", _canvas)):
+        _require_few(layout, own, [one for one in own if read([one])])
+    if prefix:
+        folders = [one for one in own if one.is_folder]
+        marked = [one for one in folders if one.name.startswith(prefix)]
+        _require_few("GitHub Classroom", folders, marked)
+    return "plain", [_plain(one) for one in own]
+
+
+def _require_few(layout: str, own: Sequence[Item], marked: Sequence[Item]) -> None:
+    """Refuse a download to which somebody has added something: all names would be lost.
+
+    Raises:
+        UsageError: Most of what lies there is such a download.
+    """
+    if 2 * len(marked) <= len(own):
+        return
+    odd = [one.name for one in own if one not in marked]
+    names = ", ".join(f"`{as_name(name)}`" for name in odd[:MOST_NAMED])
+    more = f" and {len(odd) - MOST_NAMED:,} more" if len(odd) > MOST_NAMED else ""
+    raise UsageError(
+        f"this looks like a download of {layout}, but {names}{more} is none of it; move that "
+        "out of the folder, or give every submission a name of your own"
+    )
 
 
 def _prefix(stem: str) -> str:

@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from grader.batch.settings import Settings, Wish
-from grader.batch.work import Failed, Order, Refused
+from grader.batch.work import Failed, Order, Refused, unlike
 from grader.errors import UsageError
 from grader.gradebook.results import parsed_json, parsed_result
 from grader.kept import Result
@@ -151,14 +151,7 @@ def _result(told: dict[str, Any], order: Order) -> Result:
 
 
 def _require_ours(result: dict[str, Any], order: Order) -> None:
-    given, from_ = order.settings, result["provenance"]
-    expected = {
-        "rubric_sha256": given.rubric_sha256,
-        "scenes_sha256": given.scenes_sha256,
-        "seed": given.seed,
-        "isolation": given.isolation,
-    }
-    wrong = [name for name, value in expected.items() if from_[name] != value]
+    wrong = unlike(result, order.settings)
     if not isinstance(order.submission, Submission):
         raise AssertionError("what holds no file is not given away")
     if result["submission"]["sha256"] != order.submission.sha256:

@@ -84,7 +84,10 @@ def read_settings(text: str) -> Settings:
     try:
         return Settings(**json.loads(text))
     except (TypeError, ValueError) as fault:
-        raise UsageError("the settings in the store are of another version") from fault
+        raise UsageError(
+            "the store of results was written by another version of the grader; use that one, "
+            "or grade into another folder"
+        ) from fault
 
 
 def settled(wish: Wish) -> Settings:

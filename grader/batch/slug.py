@@ -5,10 +5,12 @@ import re
 import unicodedata
 from collections.abc import Callable
 
+from grader.gradebook.results import USUAL_OUTPUT
+
 LONGEST = 60
 _OTHER = re.compile(r"[^a-z0-9]+")
-_RESERVED = re.compile(r"con|prn|aux|nul|com\d|lpt\d")
-"""Names of devices that Windows sees in any folder."""
+_RESERVED = re.compile(rf"con|prn|aux|nul|com\d|lpt\d|{USUAL_OUTPUT}")
+"""Devices that Windows sees in any folder, and a folder that belongs to who is above it."""
 
 
 def slug(name: str, id: str, key: str, is_taken: Callable[[str], bool]) -> str:

@@ -6,16 +6,17 @@ folder is entered by descriptors, through no link. Who fills a class's folder is
 
 import os
 import stat
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
+from errno import EIO
 from functools import partial
 from io import BytesIO
 from pathlib import Path
 from typing import BinaryIO, Protocol
 
 from grader.errors import UsageError
-from grader.intake.candidates import Damage, Entry, Fault, is_junk, parts
+from grader.intake.candidates import NOT_A_FILE, Damage, Entry, Fault, is_junk, parts
 from grader.intake.folder import folder_entries, opened
 from grader.intake.zip import ZIP_MARKS, zip_entries
 from grader.output import STORE
@@ -131,11 +132,24 @@ class ClassZip:
         for entry in self._listed[name]:
             inside = entry.path.partition("/")[2]
             if inside or "/" not in entry.path:
-                yield Entry(inside or name, entry.read)
+                yield Entry(inside or name, partial(_whole, entry.read))
 
     def within(self, name: str) -> "ClassZip":
         """Take one of its folders for the class."""
         return ClassZip(_by_top(self.entries(name), name))
+
+
+def _whole(read: Callable[[int], bytes | Fault], most: int) -> bytes | Fault:
+    """Read a file of the class's zip, which the student did not pack.
+
+    Raises:
+        OSError: The zip does not give it back.
+    """
+    content = read(most)
+    if isinstance(content, Fault) and content != NOT_A_FILE:
+        why = "the class's zip does not give it back; download it again, or unpack it yourself"
+        raise OSError(EIO, why)
+    return content
 
 
 def class_zip(file: BinaryIO, shown: str) -> ClassZip:
@@ -203,11 +217,12 @@ def opened_class(path: Path) -> Iterator[Source]:
     """
     shown = as_name(str(path))
     try:
-        if path.is_dir():
-            yield ClassFolder(path.resolve())
-            return
-        file = path.open("rb")
+        folder = path.resolve() if path.is_dir() else None
+        file = None if folder else path.open("rb")
     except OSError as fault:
         raise UsageError(f"{shown}: {fault.strerror}, but a class lies there") from fault
-    with file:
-        yield class_zip(file, shown)
+    if folder:
+        yield ClassFolder(folder)
+    elif file:
+        with file:
+            yield class_zip(file, shown)

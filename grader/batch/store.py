@@ -14,7 +14,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from grader.batch.base import opened_base, written
+from grader.batch.base import opened_base, read_base, written
 from grader.batch.records import Student
 from grader.batch.settings import Settings, read_settings
 from grader.errors import UsageError
@@ -216,6 +216,18 @@ def opened_store(folder: Path) -> Iterator[Store]:
         OutputFault: It cannot be written.
     """
     with opened_base(folder) as base:
+        yield Store(base)
+
+
+@contextmanager
+def read_store(folder: Path) -> Iterator[Store]:
+    """Open the store of a folder, in which there is one, only to read it.
+
+    Raises:
+        UsageError: A batch uses it, or what lies there is no store of this grader's.
+        OutputFault: It cannot be read.
+    """
+    with read_base(folder) as base:
         yield Store(base)
 
 

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from grader.batch.files import is_written
-from grader.batch.store import opened_store
+from grader.batch.store import read_store
 from grader.gradebook.results import Marked, ids_by_batch
 from grader.output import STORE
 
@@ -24,7 +24,7 @@ def unfinished(folder: Path) -> list[Marked]:
     if not (folder / STORE).is_file():
         return []
     found: list[Marked] = []
-    with opened_store(folder) as store:
+    with read_store(folder) as store:
         settings = store.current()
         for student in store.students():
             if settings is None or not is_written(student, folder, settings):

@@ -1,9 +1,11 @@
 """What does a clerk do with one submission? Grade it, and write down all that is kept."""
 
+import json
 import traceback
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import cache
+from typing import Any
 
 from grader.batch.settings import Settings, Wish, settled
 from grader.errors import GraderError
@@ -61,11 +63,23 @@ def graded(order: Order, tell: Callable[[str], None]) -> Result | Failed | Refus
 
     options = replace(order.wish.options(), progress=progress)
     try:
-        return kept(grade_located(order.submission, options))
+        result = kept(grade_located(order.submission, options))
     except GraderError as fault:
         return Failed(str(fault))
     except Exception as fault:  # noqa: BLE001 - one submission must not end the class
         return Failed(printable("".join(traceback.format_exception(fault)), LONGEST_FAULT))
+    if other := unlike(json.loads(result.text), order.settings):
+        return Refused(
+            f"{', '.join(other)}: not what the class was begun with, so a file of the rubric "
+            "was changed meanwhile; call again with the rubric as it was, or with --regrade"
+        )
+    return result
+
+
+def unlike(result: Mapping[str, Any], settings: Settings) -> list[str]:
+    """Name what decided a result that is otherwise in these settings; the rubric is a file."""
+    found, names = result["provenance"], ("rubric_sha256", "scenes_sha256", "seed", "isolation")
+    return [name for name in names if found[name] != getattr(settings, name)]
 
 
 @cache

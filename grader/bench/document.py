@@ -23,6 +23,9 @@ after what it is compared with, and for 8 and 8b a small and then a large class 
 once each, of files that do not compile: only what a class costs besides is timed. In 3 and
 3b ours is `bvhgrade check --only build.compiles`, as pytest and check50 do no more there.
 
+What is measured is the median of the rounds' ratios; "of" holds the median of each side, and
+the ratio of two medians is a little another one.
+
 CPU seconds are those of all processes; only in 1b and 1d the grade's workers count with their
 time on the clock, which is a little more, since the kernel forgets what a killed process
 used. Another machine has other seconds and about the same ratios.

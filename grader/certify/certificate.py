@@ -18,6 +18,8 @@ BEGIN = """\
 
 Written by `bvhgrade certify` from the stored kill matrix (`tests/submissions/kill-matrix.csv`,
 one seed); a test compares it. `bvhgrade certify --stored` writes it anew without grading.
+A state of the grader is a digest of all that a verdict depends on; `unknown` are rows that
+were stored before states were.
 """
 
 KILLERS = """
@@ -42,7 +44,8 @@ conditions, order, dropped statements, exchanged arguments.
 - *Same results*: it keeps all points, and returns what the original returns, bit by bit and
   count by count, in every trial of a seed that did not grade it.
 - *Survived*: it keeps all points and returns something else.
-- *Explained*: one of the last two that is right; `tests/submissions/equivalents.toml` says why.
+- *Explained*: would be one of the last two, and is counted here instead, since it is right;
+  `tests/submissions/equivalents.toml` says why.
 
 """
 

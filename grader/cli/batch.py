@@ -17,10 +17,11 @@ from grader.cli.options import (
     time_option,
     unsafe_option,
 )
+from grader.cli.output import patient_stdout
 from grader.cli.regrading import regraded
 from grader.errors import UsageError, WorkerFault
 from grader.language import usual_language
-from grader.output import STUDENTS, ready
+from grader.output import STORE, STUDENTS, ready
 from grader.plain import as_name
 
 if TYPE_CHECKING:
@@ -70,30 +71,59 @@ def batch(folder_or_zip: Path | None, output: Path, **given: Any) -> None:  # no
     from grader.batch.job import Job
     from grader.batch.settings import Wish, settled
 
-    drop: str | None = given["drop"]
-    if drop is not None and (folder_or_zip or given["regrade"] or given["apply"]):
-        raise UsageError("--drop only takes a student out of DIR; grade before it or after it")
-    if given["regrade"] and folder_or_zip is not None:
-        raise UsageError(
-            f"--regrade grades what {output} holds, and nothing of {folder_or_zip}; leave that "
-            "out, or grade it into another folder"
-        )
-    if not given["regrade"] and drop is None and (folder_or_zip is None or given["apply"]):
-        raise UsageError("name the folder or zip of a class; --apply goes with --regrade")
+    require_one(folder_or_zip, given["drop"], given["regrade"], given["apply"])
+    require_home(folder_or_zip, output)
     wish = Wish(
         given["seed"], given["rubric"], given["time_limit"], not given["unsafe_no_isolation"]
     )
     folder = ready(output)
-    with interruptible():
+    with interruptible(), patient_stdout():
         language = given["language"] or usual_language()
         job = Job(
             folder, settled(wish), wish, given["jobs"], language, scheduler=given["scheduler"]
         )
-        if drop is not None:
-            raise Exit(dropped(job, drop.removeprefix(f"{STUDENTS}/")))
+        if given["drop"] is not None:
+            raise Exit(dropped(job, given["drop"].removeprefix(f"{STUDENTS}/")))
         if folder_or_zip is None:
             raise Exit(regraded(replace(job, preview=True), given["apply"]))
         raise Exit(graded(folder_or_zip, job))
+
+
+def require_one(path: Path | None, drop: str | None, regrade: bool, apply: bool) -> None:
+    """Keep apart what can be asked of a class.
+
+    Raises:
+        UsageError: Nothing was asked for, or two things at once.
+    """
+    if drop is not None and (path or regrade or apply):
+        raise UsageError("--drop only takes a student out of DIR; grade before it or after it")
+    if regrade and path is not None:
+        raise UsageError(
+            f"--regrade grades what DIR holds, and nothing of {path}; leave that out, or grade "
+            "it into another folder"
+        )
+    if apply and not regrade:
+        raise UsageError("--apply keeps what --regrade graded; give --regrade as well")
+    if not regrade and drop is None and path is None:
+        raise UsageError("name the folder or zip of a class, or give --regrade or --drop NAME")
+
+
+def require_home(path: Path | None, output: Path) -> None:
+    """Find out whether results can lie where they are wanted, or are there.
+
+    Raises:
+        UsageError: They cannot, or they are not.
+    """
+    if path is not None and output.resolve() == path.resolve():
+        raise UsageError(
+            f"{output} holds the submissions, and results may not lie among them; name another "
+            "folder with -o"
+        )
+    if path is None and not (output / STORE).is_file():
+        raise UsageError(
+            f"{output}: there is no {STORE}, but a class that was graded is expected; name the "
+            "folder that `bvhgrade batch` wrote to"
+        )
 
 
 def graded(path: Path, job: "Job") -> int:
@@ -105,7 +135,7 @@ def graded(path: Path, job: "Job") -> int:
 
     with opened_class(path) as source, opened_store(job.folder) as store:
         class_ = arranged(source, path.resolve().name)
-        tell_of(class_)
+        tell_of(path, class_)
         require_same(store, job)
         with shown_class() as watch:
             batch = Batch(job, store, watch)
@@ -147,7 +177,7 @@ def dropped(job: "Job", name: str) -> int:
             return told(job, batch.tabulate(), batch.troubles)
 
 
-def tell_of(class_: "Arrangement") -> None:
+def tell_of(path: Path, class_: "Arrangement") -> None:
     """Say what was found, and what is left out.
 
     Raises:
@@ -156,5 +186,8 @@ def tell_of(class_: "Arrangement") -> None:
     for name in class_.others:
         say(f"nobody's: `{as_name(name)}`")
     if not class_.places:
-        raise UsageError("there is no submission in it, but a class is expected")
+        raise UsageError(
+            f"{path}: there is no submission in it; name what holds a file or folder for each "
+            "student"
+        )
     say(f"{len(class_.places):,} submissions, {class_.layout} layout")

@@ -7,7 +7,7 @@ import click
 from grader.report.escape import line_for_terminal
 
 
-@click.command()
+@click.command(short_help="Print the table of performance goals, as ratios.")
 @click.option("--quick", is_flag=True, help="A smaller mesh, fewer rounds: some minutes less.")
 @click.option(
     "--write",

@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 @click.option(
     "--sample",
     is_flag=True,
-    help="Compare right files, and a wrong one a check, with the matrix.",
+    help="Compare right files and few wrong ones with the matrix.",
 )
 @click.option(
     "--mutants",

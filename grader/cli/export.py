@@ -22,7 +22,7 @@ LARGEST = 32 << 20
 """Bytes of a worksheet; one of 10,000 students with feedback has less."""
 
 
-@click.command()
+@click.command(short_help="Bring the results of a class into a gradebook.")
 @click.argument("host", type=click.Choice(["moodle", "canvas", "csv"]))
 @click.argument("folder", metavar="DIR", type=click.Path(exists=True, path_type=Path))
 @click.option(
@@ -110,6 +110,6 @@ def tell(table: "Filled", target: Path) -> None:
     for row in table.empty:
         click.echo(f"no result: {line_for_terminal(row)}", err=True)
     for problem in table.problems:
-        click.echo(f"not exported: {line_for_terminal(problem)}", err=True)
+        click.echo(f"look at this: {line_for_terminal(problem)}", err=True)
     name = line_for_terminal(str(target))
     click.echo(f"{table.filled} of {table.rows} rows filled: {name}")

@@ -23,18 +23,18 @@ from grader.cli.order import Order, call_of, is_whole, ordered, repetition
 from grader.cli.output import patient_stdout
 from grader.cli.progress import shown, shown_progress
 from grader.cli.replaying import replayed, require_alone
-from grader.cli.status import FULL_MARKS, LOST_POINTS, OUR_FAULT
-from grader.errors import UsageError
+from grader.cli.status import FULL_MARKS, INTERRUPTED, LOST_POINTS, OUR_FAULT, stop
+from grader.errors import Interrupted, UsageError
 from grader.language import translator
 from grader.model.grade import Grade
 from grader.model.verdict import Verdict
 from grader.output import ready
 from grader.report.escape import line_for_terminal
+from grader.report.facts import OUTPUT
 
 if TYPE_CHECKING:
     from grader.report.failure import Occasion
 
-OUTPUT = "bvhgrade-out"
 USUAL_PLACES = ("src/exercise03.cpp", "student_stub/src/exercise03.cpp")
 
 
@@ -56,7 +56,7 @@ USUAL_PLACES = ("src/exercise03.cpp", "student_stub/src/exercise03.cpp")
 @click.option("--watch", is_flag=True, help="Run again at every save, until Ctrl-C.")
 @click.option("--quick", is_flag=True, help="Run only what finds most mistakes: seconds.")
 def check(submission: Path | None, watch: bool, **given: Any) -> None:  # noqa: ANN401 - click's own
-    """Grade your own code and explain what is wrong.
+    """Grade your own code, explain what is wrong, write bvhgrade-out/.
 
     SUBMISSION is a .cpp file, a folder or an archive that holds one exercise03.cpp; by default
     exercise03.cpp in src or student_stub/src.
@@ -78,7 +78,7 @@ def check(submission: Path | None, watch: bool, **given: Any) -> None:  # noqa: 
     raise Exit(status_of_check(result, order.only))
 
 
-@click.command()
+@click.command(short_help="Grade one submission and write result.json.")
 @click.argument("submission", type=submission_type)
 @click.option(
     "-o",
@@ -193,11 +193,7 @@ def occasion(order: Order, written: Path) -> "Occasion":
 
 
 def watch_over(order: Order, folder: Path) -> NoReturn:
-    """Grade at every save, until Ctrl-C.
-
-    Raises:
-        KeyboardInterrupt: At the end.
-    """
+    """Grade at every save, until Ctrl-C."""
     from rich.console import Console
 
     from grader.cli.watching import Watch, watch
@@ -212,7 +208,12 @@ def watch_over(order: Order, folder: Path) -> NoReturn:
     words = translator(order.language)
     path = line_for_terminal(str(order.path))
     click.echo(words("Watching {path}; Ctrl-C ends.").format(path=path))
-    watch(replace(order, views=False), Watch(graded, tell))
+    try:
+        watch(replace(order, views=False), Watch(graded, tell))
+    except (KeyboardInterrupt, Interrupted) as fault:
+        # Each finished run was stored, so more changed than after other interruptions.
+        status = getattr(fault, "status", INTERRUPTED)
+        stop(click.get_current_context(), "interrupted; the last finished run is kept", status)
 
 
 def say_if_quick(order: Order) -> None:

@@ -37,7 +37,7 @@ hints_option = click.option(
 language_option = click.option(
     "--language",
     type=click.Choice(LANGUAGES),
-    help="Of the report (default: as LC_ALL or LANG say).",
+    help="Of what people read (default: as LC_ALL or LANG say).",
 )
 unsafe_option = click.option(
     "--unsafe-no-isolation",

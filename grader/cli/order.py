@@ -71,5 +71,7 @@ def call_of(name: str, order: Order, *given: str) -> str:
     words = ["bvhgrade", name, str(order.path), *given]
     if order.rubric is not None:
         words += ["--rubric", str(order.rubric)]
+    if order.language != usual_language():
+        words += ["--language", order.language]
     command = shlex.join(words)
     return command if command == line_for_terminal(command) else ""

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 HOSTS = ("gradescope", "github", "prairielearn", "handout")
 
 
-@click.command()
+@click.command(short_help="Pack what a course installs elsewhere.")
 @click.argument("host", type=click.Choice(HOSTS))
 @click.option(
     "-o",

@@ -40,9 +40,8 @@ def regraded(job: "Job", apply: bool) -> int:
         say("; ".join(before.changes(job.settings)))
         store.know(job.settings)
         with shown_class() as watch:
-            batch = Batch(job, store, watch)
             try:
-                batch.grade()
+                Batch(job, store, watch).grade()
             except (WorkerFault, KeyboardInterrupt) as fault:
                 return ended_early(watch, fault)
         names = names_of(store.students())
@@ -56,8 +55,7 @@ def regraded(job: "Job", apply: bool) -> int:
             say("nothing was changed; --apply makes it so")
             return FULL_MARKS
         store.make_current(job.settings)
-        batch.job = replace(job, preview=False)
-        return told(job, batch.write(), batch.troubles)
+        return finished(job, store, apply)
 
 
 def finished(job: "Job", store: "Store", apply: bool) -> int:
@@ -75,7 +73,11 @@ def finished(job: "Job", store: "Store", apply: bool) -> int:
         )
     with shown_class() as watch:
         batch = Batch(replace(job, preview=False), store, watch)
-        return told(job, batch.write(), batch.troubles)
+        try:
+            return told(job, batch.write(), batch.troubles)
+        except KeyboardInterrupt as fault:
+            watch.say("the new results are those of the class; not all folders hold them yet")
+            return ended_early(watch, fault)
 
 
 def tell_changes(

@@ -19,7 +19,7 @@ LARGEST_VIEWS = 8 << 20
 """Bytes of a `views.json`; what the grader writes has less than a tenth of that."""
 
 
-@click.command()
+@click.command(short_help="Write report.html and class.html anew.")
 @click.argument(
     "folder", metavar="DIR", type=click.Path(exists=True, file_okay=False, path_type=Path)
 )

@@ -11,7 +11,7 @@ from grader.language import usual_language
 from grader.report.escape import line_for_terminal
 
 
-@click.command()
+@click.command(short_help="Show which submissions of a class are alike.")
 @click.argument(
     "folder", metavar="DIR", type=click.Path(exists=True, file_okay=False, path_type=Path)
 )

@@ -83,9 +83,9 @@ def submitted(result: Path, named: Path | None, sha256: str | None) -> Iterator[
             f"{result} is in no class's folder, which would hold the submission; name it as "
             "well: bvhgrade verify RESULT SUBMISSION"
         )
-    from grader.batch.store import opened_store
+    from grader.batch.store import read_store
 
-    with opened_store(home) as store:
+    with read_store(home) as store:
         source = store.source(sha256)
     with TemporaryDirectory() as folder:
         path = Path(folder) / "exercise03.cpp"
@@ -107,10 +107,10 @@ def settings_of(result: Path) -> "Settings | None":
     folder = class_of(result)
     if folder is None:
         return None
-    from grader.batch.store import opened_store
+    from grader.batch.store import read_store
 
     slug = result.resolve().parent.name
-    with opened_store(folder) as store:
+    with read_store(folder) as store:
         settings = store.current()
         written = {one.written for one in store.students() if one.slug == slug}
     # After a regrade that ended early, a folder still holds what earlier settings gave.

@@ -16,7 +16,7 @@ from grader.cli.options import (
 from grader.cli.progress import silent
 from grader.cli.status import stop
 from grader.errors import UsageError
-from grader.language import translator, usual_language
+from grader.language import usual_language
 
 NOT_WHOLE = 1
 """Status after a picture that the submission did not finish, or could not begin."""
@@ -54,8 +54,8 @@ def view(submission: Path, web: bool, **given: Any) -> None:  # noqa: ANN401 - c
         raise UsageError("--web and --screenshot both say where to show it; give one of them")
     isolated = not given["unsafe_no_isolation"]
     options = Options(SEED, given["rubric"], (), silent, isolated=isolated)
-    words = translator(given["language"] or usual_language())
+    language = given["language"] or usual_language()
     with interruptible():
-        trouble = opening(Wish(submission, options, scene, check, words), web, screenshot)
+        trouble = opening(Wish(submission, options, scene, check, language), web, screenshot)
     if trouble:
         stop(click.get_current_context(), f"{submission}: {trouble}", NOT_WHOLE)

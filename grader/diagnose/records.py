@@ -186,7 +186,7 @@ RECORDS = (
     ),
     _kept(
         "record.normal-flipped",
-        "The normal points to the other side: the edges are multiplied in the wrong order.",
+        "The normal points to the other side: the edges of the cross product are exchanged.",
         _flipped,
     ),
     _kept("record.normal-not-normalised", "The normal is not of length 1.", _long),

@@ -1,7 +1,9 @@
-"""Which column of a teacher's file is which? By the words of each host, in two languages.
+"""Which column of a teacher's file is which? By the words of each host, in five languages.
 
-Source: Moodle, mod/assign/lang/en/assign.php and the German one, mod/assign/gradingtable.php
-and grade/export/lib.php; instructure/canvas-lms, lib/gradebook_importer.rb.
+Source: Moodle, mod/assign/lang/en/assign.php and the German, French, Spanish and Italian ones,
+with moodle.php, grades.php and assignfeedback_comments.php of these language packs;
+mod/assign/gradingtable.php and grade/export/lib.php; instructure/canvas-lms,
+lib/gradebook_importer.rb.
 """
 
 import re
@@ -10,8 +12,8 @@ from dataclasses import dataclass
 
 from grader.errors import UsageError
 
-NO = {"no", "nein"}
-"""Said of a grade that cannot be changed."""
+NO = {"no", "nein", "non"}
+"""Said of a grade that cannot be changed; in Spanish and Italian as in English."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,25 +32,37 @@ class Words:
     own: tuple[str, int] = ("", -1)
     """Field of `Ids` with the host's own number, and its column, whatever the language."""
 
-    never: str = "course total.*|kurs gesamt.*|.*\\(read only\\)"
+    never: str = (
+        "course total.*|kurs gesamt.*|total du cours.*|total del curso.*|totale corso.*"
+        "|.*\\(read only\\)"
+    )
     """Looks like a grade's column and is the host's own."""
 
 
 HOSTS: Mapping[str, Words] = {
     "moodle": Words(
         ids=(
-            ("participant", "identifier|id|kennung"),
+            ("participant", "identifier|id|kennung|identifiant|identificador|identificativo"),
             (
                 "account",
-                "e-?mail address|e-mail-adresse|username|anmeldename|id number|id-nummer"
-                "|matrikelnr\\.?|matrikelnummer",
+                "e-?mail address|username|id number"
+                "|e-mail-adresse|anmeldename|id-nummer|matrikelnr\\.?|matrikelnummer"
+                "|adresse de courriel|nom d.utilisateur|numéro d.identification"
+                "|dirección de correo(?: electrónico)?|nombre de usuario|número de id"
+                "|indirizzo email|codice identificativo",
             ),
-            ("full_name", "full name|vollständiger name"),
+            # In Italian it is called as the first name is in a gradebook.
+            ("full_name", "full name|vollständiger name|nom complet|nombre completo"),
         ),
-        grade="grade|bewertung|.*\\((?:real|punkte)\\)",
-        feedback="feedback comments|feedback als kommentar|.*\\(feedback\\)",
-        maximum="maximum grade|bestwertung",
-        changeable="grade can be changed|bewertung kann geändert werden",
+        grade="grade|bewertung|note|calificación|valutazione"
+        "|.*\\((?:real|punkte|brut|punteggio)\\)",
+        feedback="feedback comments|feedback als kommentar|feedback par commentaires"
+        "|comentarios de retroalimentación|commenti|.*\\((?:feedback|retroalimentación)\\)",
+        maximum="maximum grade|bestwertung|note maximale|calificación máxima"
+        "|valutazione massima",
+        changeable="grade can be changed|bewertung kann geändert werden"
+        "|la note peut être modifiée|la calificación (?:puede ser cambiada|puede cambiarse)"
+        "|la valutazione può essere cambiata",
         own=("participant", 0),
     ),
     "canvas": Words(

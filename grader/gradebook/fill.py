@@ -5,18 +5,18 @@ it was. Nothing is scaled: an assignment out of 100 would turn 50 points into ha
 """
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from grader.errors import UsageError
-from grader.gradebook.columns import NO, Asked, Columns, columns_of
+from grader.gradebook.columns import NO, Asked, Columns, columns_of, listed
 from grader.gradebook.feedback import feedback_cell
 from grader.gradebook.matching import matched
 from grader.gradebook.results import Marked
 from grader.gradebook.table import Line, Table, read_table, written
 from grader.language import Words
 
-_COMMA = re.compile(r"\d+,\d+")
+_DECIMAL = re.compile(r"\d+([.,])\d+")
 _NUMBER = re.compile(r"\d+(?:[.,]\d+)?")
 _POSSIBLE = "Points Possible"
 """Stands in the first cell of a row of Canvas that is no student."""
@@ -38,7 +38,7 @@ class Filled:
     """Rows without a result: nothing was handed in."""
 
     problems: tuple[str, ...]
-    """Results that are in no row, and why."""
+    """Results that are in no row, and what nobody could look at; each with the reason."""
 
 
 def filled(
@@ -57,14 +57,14 @@ def filled(
     rows = students(table, host, columns)
     found = matched(rows, columns, given)
     if not found.pairs:
-        about = (f"no row has any of the {len(given)} students", *found.problems)
-        raise UsageError("\n".join(about))
+        many = sum(not marked.is_nobody_s for marked in given)
+        raise UsageError("\n".join([f"no row has any of the {many} students", *found.problems]))
     comma = writes_commas(table, columns)
     problems = list(found.problems)
     for place, marked in found.pairs:
         if not marked.why:
             same_maximum(lines, place, columns, marked)
-        if reason := untouched(lines[place], columns, marked):
+        if reason := untouched(lines[place], host, columns, marked):
             problems.append(f"{marked.student}: row {place + 1} is left as it was: {reason}")
             continue
         points = grade_cell(marked.result["score"], comma, table.delimiter)
@@ -80,8 +80,30 @@ def filled(
         len(found.pairs) - kept,
         len(rows),
         tuple(empty),
-        tuple(problems),
+        (*problems, *unknown(table, host, columns)),
     )
+
+
+def unknown(table: Table, host: str, columns: Columns) -> Iterator[str]:
+    """Say what could not be looked at, or filled: Moodle's word for it is not known here."""
+    if host != "moodle":
+        return
+    among = f"row 1: among {listed(table.header)} is no known column"
+    if columns.feedback is None:
+        yield f"{among} for feedback, so nobody has any; name it with --feedback-column"
+    if table.header[columns.grade].endswith(")"):
+        # The gradebook's "Exercise 3 (Real)": only a worksheet tells about its assignment.
+        return
+    if columns.maximum is None:
+        yield (
+            f"{among} of the maximum, so nothing was compared with it; see that it is the "
+            "results' own before you upload the file"
+        )
+    if columns.changeable is None:
+        yield (
+            f"{among} that says whether a grade can be changed, so locked rows may be filled, "
+            "which Moodle passes over; look for them before you upload the file"
+        )
 
 
 def students(table: Table, host: str, columns: Columns) -> list[tuple[int, Line]]:
@@ -113,9 +135,23 @@ def require_writable(table: Table, host: str, columns: Columns) -> None:
 
 
 def writes_commas(table: Table, columns: Columns) -> bool:
-    """Tell whether the file's own numbers have a comma in them."""
-    numbers = [n for n in (columns.grade, columns.maximum) if n is not None]
-    return any(_COMMA.fullmatch(line.value(n)) for line in table.lines for n in numbers)
+    """Tell whether the file's numbers have a comma in them.
+
+    Those of the assignment decide, else those of other columns. If there are none, semicolons
+    between cells are of a country whose numbers have a comma.
+    """
+    own = {number for number in (columns.grade, columns.maximum) if number is not None}
+    others = set(range(len(table.header))) - own
+    if signs := signs_in(table, own):
+        return "," in signs
+    signs = signs_in(table, others)
+    return "," in signs if len(signs) == 1 else table.delimiter == ";"
+
+
+def signs_in(table: Table, columns: Iterable[int]) -> set[str]:
+    """List what stands before the decimals of numbers in some columns."""
+    cells = (line.value(number).strip() for line in table.lines for number in columns)
+    return {found[1] for cell in cells if (found := _DECIMAL.fullmatch(cell))}
 
 
 def same_maximum(lines: Sequence[Line], place: int, columns: Columns, marked: Marked) -> None:
@@ -141,7 +177,7 @@ def number_in(text: str) -> float | None:
     return float(found[0].replace(",", ".")) if found else None
 
 
-def untouched(line: Line, columns: Columns, marked: Marked) -> str:
+def untouched(line: Line, host: str, columns: Columns, marked: Marked) -> str:
     """Say why a row has to stay as it is; empty if it has not."""
     if marked.why:
         return marked.why
@@ -150,8 +186,11 @@ def untouched(line: Line, columns: Columns, marked: Marked) -> str:
     changeable = "" if columns.changeable is None else line.value(columns.changeable)
     if changeable.strip().casefold() in NO:
         return "its grade cannot be changed there"
-    if line.value(columns.grade).strip().casefold() == "ex":
+    there = line.value(columns.grade).strip().casefold()
+    if there == "ex":
         return "this student is excused"
+    if there == "n/a" and host == "canvas":
+        return "the assignment is not this student's (N/A), so Canvas would drop the points"
     return ""
 
 

@@ -38,6 +38,9 @@ def matched(
     wanted: dict[int, list[Marked]] = defaultdict(list)
     problems: list[str] = []
     for marked in given:
+        if marked.is_nobody_s:
+            problems.append(f"{marked.student}: {marked.why}")
+            continue
         places = places_of(marked, columns, known)
         if len(places) == 1:
             wanted[next(iter(places))].append(marked)

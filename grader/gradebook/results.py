@@ -6,17 +6,17 @@ about that: a submission's own name is the student's to choose.
 """
 
 import json
-import math
 import os
 import re
-import stat
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from grader.errors import UsageError
+from grader.gradebook.known import class_of, is_students, known_folders
 from grader.gradebook.marks import HANDED_IN, moodle_mark
+from grader.gradebook.strict import damaged, finite, read_plain, refuse
 from grader.output import RESULT, STORE, STUDENT, STUDENTS
 from grader.plain import as_name, one_line
 from grader.report.as_json import SCHEMA_VERSION, Json, schema_text
@@ -30,7 +30,6 @@ USUAL_OUTPUT = "bvhgrade-out"
 
 _CANVAS = re.compile(r"[^\W_]+_(?:LATE_)?(?P<canvas>\d+)_\d+_", re.IGNORECASE)
 LONGEST_PLACE = 80
-_READ = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,6 +59,21 @@ class Ids:
         return self.full_name in self.accounts
 
 
+NOBODY = Ids()
+
+NOTHING: Json = {
+    "checks": [],
+    "build": {"diagnostics": []},
+    "submission": {"sha256": None},
+}
+"""Stands for a result that does not count; what is worded in other languages is there."""
+
+_UNKNOWN = (
+    f"{STORE} knows no student of this folder, so its result does not count; remove it, or "
+    "give `bvhgrade batch` the submission again"
+)
+
+
 @dataclass(frozen=True, slots=True)
 class Marked:
     """One result and whose it is."""
@@ -72,34 +86,46 @@ class Marked:
     why: str = ""
     """Why there is no result to count, whatever lies in the folder; empty if there is one."""
 
+    @property
+    def is_nobody_s(self) -> bool:
+        """No student is known to have this folder, so it is matched with no row."""
+        return self.ids == NOBODY
+
 
 def results_in(folder: Path, apart: Collection[str] = ()) -> list[Marked]:
     """Read every result that `result_paths` finds.
+
+    Where `bvhgrade batch` keeps a class, only the folders of those count whom its store knows.
 
     Args:
         folder: Where they lie.
         apart: Names of folders in a class's own one whose results do not count.
 
     Raises:
-        UsageError: There is none, or one is damaged.
+        UsageError: There is none, one is damaged, or a class is not given as a whole.
     """
+    home = folder.resolve()
+    known = known_folders(home) if (home / STORE).is_file() else None
     found: list[Marked] = []
     for path in result_paths(folder):
-        name = _owner(path.resolve()).name
-        if path.parents[1] == folder / STUDENTS and name in apart:
-            continue
-        known = _known_by_batch(path, folder)
-        found.append(Marked(name, known or ids_of(name), read_result(path)))
+        own = path.parent.resolve()
+        if (other := class_of(own)) not in (None, home):
+            raise UsageError(
+                f"{path}: it belongs to a class, whose store says whether it still counts; "
+                f"name the folder of the class, {other}"
+            )
+        if known is None:
+            name = _owner(own / RESULT).name
+            found.append(Marked(name, ids_of(name), read_result(path)))
+        elif own.parent != home / STUDENTS or own.name not in known:
+            found.append(Marked(own.relative_to(home).as_posix(), NOBODY, NOTHING, _UNKNOWN))
+        elif own.name not in apart:
+            found.append(Marked(own.name, _known_by_batch(path), read_result(path)))
     return found
 
 
-def _known_by_batch(path: Path, folder: Path) -> Ids | None:
-    """Read whose a result is where `bvhgrade batch` wrote it; None anywhere else.
-
-    It is believed only below the store of a class, where no student can put a file.
-    """
-    if not (folder / STORE).is_file() or path.parents[1] != folder / STUDENTS:
-        return None
+def _known_by_batch(path: Path) -> Ids:
+    """Read whose a result is where `bvhgrade batch` wrote it, and no student can put a file."""
     known = read_json(path.with_name(STUDENT), LARGEST_NAMES, 1)
     keys = ("name", "id", "email", "layout")
     return ids_by_batch(*(str(known.get(each, "")) for each in keys))
@@ -157,7 +183,8 @@ def _require_one_each(found: Sequence[Path]) -> None:
 def _owner(path: Path) -> Path:
     """Find the folder that is called after the student."""
     here = path.parent
-    return here.parent if here.name == USUAL_OUTPUT else here
+    # In a class somebody may be called so.
+    return here.parent if here.name == USUAL_OUTPUT and not is_students(here.parent) else here
 
 
 def _not_apart(folder: Path, file: Path) -> UsageError:
@@ -197,7 +224,7 @@ def read_result(path: Path) -> Json:
     Raises:
         UsageError: It cannot be read, or is not what the grader writes.
     """
-    return parsed_result(_content(path, LARGEST_JSON), path)
+    return parsed_result(read_plain(path, LARGEST_JSON), path)
 
 
 def parsed_result(content: bytes, path: Path | str) -> Json:
@@ -218,7 +245,7 @@ def parsed_result(content: bytes, path: Path | str) -> Json:
     if fault is not None:
         # Not its message, which quotes a whole value.
         place = one_line(fault.json_path)[:LONGEST_PLACE]
-        raise _damaged(path, f"{place} is not as `bvhgrade schema` says ({fault.validator})")
+        raise damaged(path, f"{place} is not as `bvhgrade schema` says ({fault.validator})")
     return value
 
 
@@ -233,7 +260,7 @@ def read_json(path: Path, most: int, version: int) -> Json:
     Raises:
         UsageError: It cannot be read, or is something else.
     """
-    return parsed_json(_content(path, most), path, version)
+    return parsed_json(read_plain(path, most), path, version)
 
 
 def parsed_json(text: bytes, path: Path | str, version: int) -> Json:
@@ -248,38 +275,11 @@ def parsed_json(text: bytes, path: Path | str, version: int) -> Json:
         UsageError: It is something else.
     """
     try:
-        value: Any = json.loads(text, parse_constant=_refuse, parse_float=_finite)
+        value: Any = json.loads(text, parse_constant=refuse, parse_float=finite)
     except (ValueError, RecursionError) as fault:
-        raise _damaged(path, f"it is not JSON ({fault})") from fault
+        raise damaged(path, f"it is not JSON ({fault})") from fault
     found = value.get("schema") if isinstance(value, dict) else None
     if found != version:
-        raise _damaged(path, f"schema is {str(found)[:20]}, but {version} is read here")
+        raise damaged(path, f"schema is {str(found)[:20]}, but {version} is read here")
     result: Json = value
     return result
-
-
-def _content(path: Path, most: int) -> bytes:
-    """Read a plain file of the size that it may have."""
-    try:
-        with open(os.open(path, _READ), "rb") as file:  # noqa: PTH123 - a descriptor, not a path
-            if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
-                raise _damaged(path, "it is not a file")
-            content = file.read(most + 1)
-    except OSError as fault:
-        raise _damaged(path, fault.strerror or "it cannot be read") from fault
-    if len(content) > most:
-        raise _damaged(path, f"it has more than {most:,} bytes")
-    return content
-
-
-def _finite(text: str) -> float:
-    """Read a number; Python takes `1e999` for infinity."""
-    return float(text) if math.isfinite(float(text)) else _refuse(text)
-
-
-def _refuse(name: str) -> float:
-    raise ValueError(f"{name} is no number")
-
-
-def _damaged(path: Path | str, reason: str) -> UsageError:
-    return UsageError(f"{path}: {reason}; grade this submission again")

@@ -31,6 +31,8 @@ def made(host: str, given: Sequence[Marked], words: Words) -> Filled:
     """
     if host == "canvas":
         raise UsageError(f"Canvas knows students by its own numbers; {download(host)}")
+    problems = [f"{each.student}: left out, {each.why}" for each in given if each.is_nobody_s]
+    given = [marked for marked in given if not marked.is_nobody_s]
     if unknown := [marked.student for marked in given if not marked.ids.accounts]:
         raise UsageError(
             f"{unknown[0]}: neither login nor address is known, only a platform's own number; "
@@ -38,7 +40,7 @@ def made(host: str, given: Sequence[Marked], words: Words) -> Filled:
         )
     times = Counter(account(marked.ids) for marked in given)
     twice = sorted(name for name, count in times.items() if count > 1)
-    problems = [f"{name}: several results, none is taken" for name in twice]
+    problems += [f"{name}: several results, none is taken" for name in twice]
     alone = [marked for marked in given if account(marked.ids) not in twice]
     problems += [f"{marked.student}: left out, {marked.why}" for marked in alone if marked.why]
     single = [marked for marked in alone if not marked.why]

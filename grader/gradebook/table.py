@@ -18,6 +18,9 @@ MARKS = (
     (codecs.BOM_UTF16_BE, "utf-16-be"),
 )
 
+_TOLD = re.compile(r'"?sep=([^"\r\n])"?(?:\r\n|\n|\r)(?=.)', re.IGNORECASE | re.DOTALL)
+"""A first line that tells Excel the delimiter, and is no row."""
+
 
 @dataclass(frozen=True, slots=True)
 class Line:
@@ -44,6 +47,8 @@ class Table:
     """A whole file."""
 
     mark: bytes
+    """What stands before the header: the encoding's mark, and a line for Excel."""
+
     encoding: str
     delimiter: str
     lines: tuple[Line, ...]
@@ -56,7 +61,8 @@ class Table:
 
 def unquoted(cell: str) -> str:
     """Read a cell."""
-    return cell[1:-1].replace('""', '"') if cell.startswith('"') else cell
+    # Some write a blank behind the quote.
+    return cell.rstrip(" ")[1:-1].replace('""', '"') if cell.startswith('"') else cell
 
 
 def read_table(data: bytes) -> Table:
@@ -66,6 +72,9 @@ def read_table(data: bytes) -> Table:
         UsageError: It is no CSV.
     """
     mark, encoding, text = decoded(data)
+    if told := _TOLD.match(text):
+        mark += told[0].encode(encoding)
+        return Table(mark, encoding, told[1], tuple(split(text, told[1], start=told.end())))
     delimiter = max(DELIMITERS, key=lambda sign: columns_of(text, sign))
     return Table(mark, encoding, delimiter, tuple(split(text, delimiter)))
 
@@ -80,7 +89,7 @@ def columns_of(text: str, delimiter: str) -> int:
 
 def decoded(data: bytes) -> tuple[bytes, str, str]:
     """Find the encoding of a file: what its mark says, else UTF-8, else that of old Windows."""
-    if data.startswith(b"PK"):
+    if data.startswith(b"PK\x03\x04"):
         raise UsageError("this is a spreadsheet's own format, but CSV is read here: save it so")
     mark, known = next(((m, e) for m, e in MARKS if data.startswith(m)), (b"", ""))
     for encoding in [known] if known else ["utf-8", "cp1252"]:
@@ -93,20 +102,25 @@ def decoded(data: bytes) -> tuple[bytes, str, str]:
     raise UsageError("this is no text, or there is nothing in it, but CSV is read here")
 
 
-def split(text: str, delimiter: str, most: int = 0) -> list[Line]:
+def split(text: str, delimiter: str, most: int = 0, start: int = 0) -> list[Line]:
     """Split a text into lines of cells.
 
     Args:
         text: The file's.
         delimiter: Between two cells.
         most: Lines that are wanted; 0 for all.
+        start: Where the first of them begins.
+
+    Raises:
+        UsageError: A cell does not end where its quotes do.
     """
+    sign = re.escape(delimiter)
     cell = re.compile(
-        rf'("(?:[^"]|"")*+"|[^"{delimiter}\r\n][^{delimiter}\r\n]*+|)({delimiter}|\r\n|\n|\r|\Z)'
+        rf'("(?:[^"]|"")*+" *|[^"{sign}\r\n][^{sign}\r\n]*+|)({sign}|\r\n|\n|\r|\Z)'
     )
     lines: list[Line] = []
     cells: list[str] = []
-    place = 0
+    place = start
     while place < len(text) or cells:
         found = cell.match(text, place)
         if found is None:

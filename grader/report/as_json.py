@@ -119,11 +119,19 @@ def location(grade: Grade, score: CheckScore) -> Json | None:
 
 
 def counterexample(score: CheckScore) -> Json | None:
-    """Say how small the reduced case is and where it lies, or null."""
+    """Say how small the reduced case is, what is wrong there and where it lies, or null."""
     found = score.counterexample
     if found is None:
         return None
-    return {"faces": found.faces, "rays": found.rays, "file": counterexample_file(score.check)}
+    return {
+        "faces": found.faces,
+        "rays": found.rays,
+        "file": counterexample_file(score.check),
+        "message": found.message,
+        "expected": found.expected,
+        "got": found.got,
+        "explanation": found.explanation,
+    }
 
 
 def build(grade: Grade) -> Json:

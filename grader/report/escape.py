@@ -24,10 +24,13 @@ _LINE_COMMAND = re.compile(r"^([^\S\n]*):(?=:.*::)", re.MULTILINE)
 _STRING = re.compile(r'"(?:[^"\\]|\\.)*"')
 _PUNCTUATION = re.compile(r"[!-/:-@\[-`{-~]")
 _NUMBER = r"[+-][\d.]{1,30}(?:e[+-]?\d{1,3})?"
-_FORMULA = re.compile(  # a cell that is a number and the numbers of a vector are left alone
-    rf"""(?:^(?!{_NUMBER}$)|,\s*(?!{_NUMBER}[,)\]])|[;|"']\s*)"""
-    r"(?=[=+\-@\uff1d\uff0b\uff0d\uff20])"
-)
+_SIGN = r"[=+\-@\uff1d\uff0b\uff0d\uff20]"
+_INSIDE = rf""",\s*(?!{_NUMBER}[,)\]])|[;|"']\s*"""
+"""Where a cell could begin inside of ours; the numbers of a vector are left alone."""
+
+_FORMULA = re.compile(rf"(?:^(?!{_NUMBER}$)|{_INSIDE})(?={_SIGN})")  # nor is a number guarded
+_FORMULA_IN_HTML = re.compile(rf"(^|{_INSIDE})({_SIGN}(?:\s*{_SIGN})*)")
+"""All signs in a row: the reference of one ends with `;`, behind which the next would begin."""
 
 
 def for_terminal(text: str, encoding: str = "utf-8") -> str:
@@ -191,15 +194,27 @@ def for_moodle(lines: Iterable[str]) -> str:
     """Write a cell of CSV that Moodle shows as HTML: feedback, one line below the other.
 
     Moodle keeps a feedback comment as HTML (assignfeedback_offline), so a stranger's `<` would
-    begin an element there. What no longer fits into the cell is left out as whole lines.
+    begin an element there. What no longer fits into the cell is left out as whole lines. A sign
+    that could begin a formula, as behind `&lt;` where a file is split at `;`, is written as its
+    reference: it reads the same in Moodle, and `for_csv` finds nothing to guard.
     """
     kept: list[str] = []
-    for line in map(for_html, map(one_line, lines)):
+    for line in map(_without_formulas, map(for_html, map(one_line, lines))):
         if len("<br>".join([*kept, line, "..."])) > FIELD_LIMIT:
             kept.append("...")
             break
         kept.append(line)
     return for_csv("<br>".join(kept))
+
+
+def _without_formulas(line: str) -> str:
+    """Write signs in HTML that could begin a formula as references."""
+
+    def referred(found: re.Match[str]) -> str:
+        signs = re.sub(_SIGN, lambda sign: f"&#{ord(sign[0])};", found[2])
+        return f"{found[1]}{signs}"
+
+    return _FORMULA_IN_HTML.sub(referred, line)
 
 
 def _shown(value: Any, limit: int) -> Any:  # noqa: ANN401 - any JSON value

@@ -16,10 +16,15 @@ if TYPE_CHECKING:
 FILE = "src/exercise03.cpp"
 """Name of the student's file in every message, wherever it really lies."""
 
+OUTPUT = "bvhgrade-out"
+"""Where `check` and `grade` write, unless told otherwise."""
+
 FOLDER = "counterexamples"
 """Where the files of counterexamples lie, beside `result.json`."""
 
 NOT_STARTED = "Part {part} is not started: {function} still does what the given code does."
+
+BEGIN = "Begin at the TODO in src/exercise03.cpp."
 
 FUNCTIONS = {"a": "BVH::construct", "b": "intersect"}
 """The function that each part asks for."""

@@ -70,7 +70,9 @@ def explain(sheet: Sheet, grade: Grade, score: CheckScore, occasion: Occasion) -
     for label, text in hints(score, occasion.hints, sheet.words):
         sheet.beside(label, text, "cyan")
     if occasion.command and score.visibility == "visible":
-        sheet.command("again", f"{occasion.command} --only {score.check}")
+        # A counterexample has no hints, so only this one takes them along.
+        more = "" if occasion.hints == WITH_CAUSE else f" --hints {occasion.hints}"
+        sheet.command("again", f"{occasion.command} --only {score.check}{more}")
         show_again(sheet, score, occasion)
 
 

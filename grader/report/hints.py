@@ -12,6 +12,7 @@ from importlib.resources import files
 
 from grader.language import Words
 from grader.model.grade import CheckScore
+from grader.report.counts import counted, regrouped
 
 NO_HINTS, WITH_CAUSE, WITH_QUESTION, WITH_TRIAL = range(4)
 """Steps of `--hints`; each tells what the one before it does, and one thing more."""
@@ -37,7 +38,8 @@ def likely_cause(score: CheckScore, words: Words = str) -> str:
     if cause.places == 1:
         return words(cause.sentence)
     share = words("This explains {fits} of {places} places.")
-    share = share.format(fits=f"{cause.fits:,}", places=f"{cause.places:,}")
+    fits, places = (counted(number, words) for number in (cause.fits, cause.places))
+    share = share.format(fits=fits, places=places)
     return f"{words(cause.sentence)} {share}"
 
 
@@ -55,7 +57,9 @@ def cause_in(hint: str, words: Words) -> str:
     sentence, fits, places = misconception(hint)
     if not places:
         return words(hint)
-    share = words("This explains {fits} of {places} places.").format(fits=fits, places=places)
+    share = words("This explains {fits} of {places} places.").format(
+        fits=regrouped(fits, words), places=regrouped(places, words)
+    )
     return f"{words(sentence)} {share}"
 
 

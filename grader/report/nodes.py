@@ -2,6 +2,7 @@
 
 from typing import TYPE_CHECKING
 
+from grader.language import Words
 from grader.report.sheet import LABEL_WIDTH, Sheet
 
 if TYPE_CHECKING:
@@ -20,21 +21,22 @@ def node_table(sheet: Sheet, table: "NodeTable") -> None:
 
     The first difference is marked; columns that do not fit go on below.
     """
-    width = max((len(word) for one in table.columns for word in words(one)), default=1) + GAP
+    told = [words(one, sheet.told) for one in table.columns]
+    width = max((len(word) for one in told for word in one), default=1) + GAP
     fit = max(1, (sheet.width - GUTTER) // width)
-    for begin in range(0, len(table.columns), fit):
-        columns = table.columns[begin : begin + fit]
+    for begin in range(0, len(told), fit):
+        columns = told[begin : begin + fit]
         marked = table.first_difference - begin
-        for label, row in zip(LABELS, zip(*map(words, columns), strict=True), strict=True):
+        for label, row in zip(LABELS, zip(*columns, strict=True), strict=True):
             _row(sheet, label, [word.ljust(width) for word in row], marked)
         if 0 <= marked < len(columns):
             _row(sheet, "", [" " * width] * marked + [MARK], marked)
     _faces(sheet, table)
 
 
-def words(column: "Column") -> tuple[str, str, str]:
-    """What stands in one column, from top to bottom."""
-    return str(column.node), column.expected, column.got
+def words(column: "Column", told: Words) -> tuple[str, str, str]:
+    """What stands in one column, from top to bottom; what is words in it is told."""
+    return str(column.node), told(column.expected), told(column.got)
 
 
 def _row(sheet: Sheet, label: str, cells: list[str], marked: int) -> None:

@@ -6,13 +6,14 @@ from grader.language import translator
 from grader.model.grade import Grade
 from grader.model.stages import Rejected
 from grader.model.verdict import Verdict
-from grader.phrases import teller
+from grader.report.counts import teller
 from grader.report.facts import unstarted, worst
 from grader.report.failure import Occasion
 from grader.report.sheet import Sheet
 from grader.report.terminal import (
     banner,
     every_fault,
+    first_step,
     header,
     is_exposed,
     not_begun,
@@ -44,6 +45,7 @@ def print_problem(console: Console, grade: Grade, occasion: Occasion, whole: boo
         every_fault(sheet, grade)
         worst_failure(sheet, grade, occasion)
         what_else(sheet, grade, whole)
+        first_step(sheet, grade, occasion)
     remarks(sheet, grade)
     sheet.show()
 
@@ -60,8 +62,8 @@ def what_else(sheet: Sheet, grade: Grade, whole: bool) -> None:
         if score is not shown
     )
     if others:
-        one = sheet.words("1 more check fails; that comes later.")
-        many = sheet.words("{others} more checks fail; that comes later.")
+        one = sheet.words("1 more check fails; it is shown once this one passes.")
+        many = sheet.words("{others} more checks fail; they are shown once this one passes.")
         sheet.say(one if others == 1 else many.format(others=others), "dim")
     elif shown is None and all(score.verdict is Verdict.PASS for score in grade.checks):
         sheet.say(all_pass(sheet, len(grade.checks), whole), "green")

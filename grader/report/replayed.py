@@ -7,7 +7,7 @@ from rich.text import Text
 
 from grader.language import translator
 from grader.model.verdict import Verdict
-from grader.phrases import teller
+from grader.report.counts import teller
 from grader.report.facts import size_of
 from grader.report.failure import tell_more
 from grader.report.sheet import STYLES, Sheet

@@ -11,6 +11,7 @@ from rich.text import Text
 
 from grader.language import Words
 from grader.model.verdict import Verdict
+from grader.report.counts import counted
 from grader.report.escape import for_terminal, line_for_terminal, unheard
 
 MIN_WIDTH = 56
@@ -169,7 +170,7 @@ class Sheet:
         if len(lines) <= MAX_LINES:
             return lines
         half = MAX_LINES // 2
-        count = f"{len(lines) - 2 * half + 1:,}"
+        count = counted(len(lines) - 2 * half + 1, self.words)
         missing = self.words("[... {count} lines ...]").format(count=count)
         return [*lines[:half], missing, *lines[1 - half :]]
 

@@ -8,8 +8,8 @@ from collections.abc import Mapping
 from typing import Any
 
 from grader.language import Words
-from grader.phrases import teller
 from grader.report.as_json import Json
+from grader.report.counts import teller
 
 
 def in_language(result: Json, language: str) -> Json:

@@ -7,8 +7,8 @@ from grader.language import Words, translator
 from grader.model.grade import CheckScore, Grade, PartScore
 from grader.model.stages import Rejected
 from grader.model.verdict import Verdict
-from grader.phrases import teller
-from grader.report.facts import FUNCTIONS, NOT_STARTED, unstarted, withheld, worst
+from grader.report.counts import teller
+from grader.report.facts import BEGIN, FUNCTIONS, NOT_STARTED, unstarted, withheld, worst
 from grader.report.failure import Occasion, compile_errors, explain, points, with_unit
 from grader.report.sheet import STYLES, Sheet
 
@@ -39,6 +39,7 @@ def print_grade(console: Console, grade: Grade, occasion: Occasion) -> None:
         every_part(sheet, grade)
         every_fault(sheet, grade)
         worst_failure(sheet, grade, occasion)
+        first_step(sheet, grade, occasion)
     sheet.blank()
     footer(sheet, grade, occasion)
     sheet.show()
@@ -158,10 +159,13 @@ def check_line(sheet: Sheet, score: CheckScore, earned: str) -> None:
 def every_fault(sheet: Sheet, grade: Grade) -> None:
     """Name our own faults, which never cost points."""
     broken = [score for score in grade.checks if score.verdict is Verdict.BROKEN]
-    if not broken and not grade.needs_review:
+    if not broken:
         return
     sheet.blank()
-    told = sheet.words("The grader itself failed; nothing is concluded about the submission:")
+    told = sheet.words(
+        "The grader itself failed in these checks, which costs no points; your score is "
+        "withheld:"
+    )
     sheet.say(told, "magenta")
     for score in broken:
         sheet.beside("", f"{score.check}: {sheet.told(score.message)}")
@@ -174,6 +178,13 @@ def worst_failure(sheet: Sheet, grade: Grade, occasion: Occasion) -> None:
         return
     sheet.blank()
     explain(sheet, grade, score, occasion)
+
+
+def first_step(sheet: Sheet, grade: Grade, occasion: Occasion) -> None:
+    """Say where to begin, if nothing but what is not started is left to do."""
+    if occasion.hints and unstarted(grade) and worst(grade) is None:
+        sheet.blank()
+        sheet.say(sheet.words(BEGIN), "cyan")
 
 
 def remarks(sheet: Sheet, grade: Grade) -> None:
@@ -190,8 +201,10 @@ def footer(sheet: Sheet, grade: Grade, occasion: Occasion) -> None:
         where = sheet.line(str(occasion.written))
         sheet.lines.append(Text.assemble((sheet.words("report") + "  ", "dim"), where))
     spent = grade.timing
+    # Workers run side by side, so their sum may be longer than the whole.
     times = sheet.words(
-        "{total} s: compiling {compile}, submission {submission}, grader {grader}"
+        "{total} s on the clock; compiling {compile}, workers {submission} in all, "
+        "grader {grader}, partly at once"
     ).format(
         total=f"{spent.total:.1f}",
         compile=f"{spent.compile:.1f}",

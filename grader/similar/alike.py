@@ -4,9 +4,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from statistics import median
 
-from grader.batch.base import opened_base
 from grader.batch.records import names_of
-from grader.batch.store import Store
+from grader.batch.store import read_store
 from grader.errors import UsageError
 from grader.output import STORE, write_whole
 from grader.report.html.alike import Class, Side, to_alike_page
@@ -65,8 +64,7 @@ def handed_in(folder: Path) -> tuple[list[tuple[str, ...]], list[bytes]]:
             "kept them; name the folder that it wrote to"
         )
     owners: dict[str, list[str]] = {}
-    with opened_base(folder) as base:
-        store = Store(base)
+    with read_store(folder) as store:
         told = names_of(store.students())
         for student in store.students():
             if student.sha256 is not None:

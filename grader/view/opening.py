@@ -5,12 +5,12 @@ from datetime import datetime
 from pathlib import Path
 
 from grader.errors import UsageError
-from grader.language import Words
+from grader.language import Words, translator
 from grader.model.grade import CheckScore
 from grader.model.verdict import Verdict
 from grader.options import Options
 from grader.plain import as_name, one_line
-from grader.report.facts import counterexample_file
+from grader.report.facts import OUTPUT, counterexample_file
 from grader.selection import require_check
 from grader.view.desk import Desk, Load
 from grader.view.status import is_vain
@@ -26,8 +26,6 @@ from grader.view.subject import (
 )
 
 USUAL_SCENE = "dragon"
-RESULTS = "bvhgrade-out"
-"""Where `check` and `grade` leave a result, if nobody says otherwise."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,7 +38,12 @@ class Wish:
     check: str | None
     """Id of a check, or the file of a counterexample."""
 
-    words: Words
+    language: str = "en"
+
+    @property
+    def words(self) -> Words:
+        """What translates into it."""
+        return translator(self.language)
 
 
 def opening(wish: Wish, web: bool, picture: Path | None) -> str:
@@ -72,7 +75,7 @@ def _shown(wish: Wish, study: Study, desk: Desk, web: bool, picture: Path | None
     if web:
         from grader.view.server import served
 
-        served(desk, study, names, wish.words)
+        served(desk, study, names, wish.language)
     else:
         from grader.view.window import Window, opened
 
@@ -98,7 +101,7 @@ def wanted(wish: Wish) -> Load:
         named = of_file(Path(wish.check))
         return lambda: named
     require_check(wish.options.rubric, wish.check, "--check")
-    for folder in (wish.path, wish.path.parent / RESULTS, Path(RESULTS)):
+    for folder in (wish.path, wish.path.parent / OUTPUT, Path(OUTPUT)):
         file = folder / counterexample_file(wish.check)
         if file.is_file():
             found = _found(file, wish.words)

@@ -72,7 +72,9 @@ class Panel:
                 colour_of(imgui, colour),
             )
         imgui.dummy((width, 12))
-        text = words("0 to {scale} tests and more; mean {boxes} of boxes, {triangles} of faces")
+        text = words(
+            "0 to {scale} tests per ray and more; on average {boxes} boxes, {triangles} faces"
+        )
         traced = self._desk.stage.traced if self._desk.stage else None
         if traced is not None:
             imgui.text_wrapped(

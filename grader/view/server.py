@@ -13,13 +13,14 @@ from collections.abc import Sequence
 from contextlib import suppress
 from functools import partial
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
 from typing import Any
 from urllib.parse import parse_qs, urlsplit
 
 import click
 
 from grader.errors import UsageError
-from grader.language import Words, usual_language
+from grader.language import translator
 from grader.plain import as_name, one_line
 from grader.report.html.page import page
 from grader.view.asked import Unanswered
@@ -40,21 +41,23 @@ MOST_STRANGERS = 32
 """Connections at once that have not named the secret."""
 
 
-def served(desk: Desk, study: Study, scenes: Sequence[str], words: Words) -> None:
+def served(desk: Desk, study: Study, scenes: Sequence[str], language: str) -> None:
     """Serve the page until Ctrl-C.
 
     Raises:
         KeyboardInterrupt: At the end.
     """
+    words = translator(language)
     service = Service(desk, study, words)
-    with Door(service, written(desk, scenes, words)) as door:
+    with Door(service, written(desk.path, scenes, language)) as door:
         click.echo(f"{words('Open this address in a browser of this machine; Ctrl-C ends:')}")
         click.echo(door.address)
         service.serve()
 
 
-def written(desk: Desk, scenes: Sequence[str], words: Words) -> str:
+def written(path: Path, scenes: Sequence[str], language: str) -> str:
     """Write the page."""
+    words = translator(language)
     told = {
         "step": words("step {step} of {steps}"),
         "box": words("node {node}"),
@@ -65,14 +68,14 @@ def written(desk: Desk, scenes: Sequence[str], words: Words) -> str:
         "lost": words("lost here"),
         "gone": words("The program has ended; start it again."),
     }
-    name = f"bvhgrade view {as_name(desk.path.name)}"
+    name = f"bvhgrade view {as_name(path.name)}"
     values = {
         "title": name,
         "name": name,
         "scenes": list(scenes),
         "modes": [(mode.value, title) for mode, title in titles(words).items()],
     }
-    return page("view", usual_language(), values, {"data": {"words": told}})
+    return page("view", language, values, {"data": {"words": told}})
 
 
 class Door:

@@ -113,7 +113,7 @@ class Service:
         if seen is not None and seen.wrong >= 0:
             differ = words("{count} pixels differ").format(count=f"{seen.wrong:,}")
         if seen is not None and seen.scale and traced is not None:
-            text = words("tests a ray; mean {boxes} of boxes, {triangles} of faces")
+            text = words("tests per ray; on average {boxes} boxes, {triangles} faces")
             cost = text.format(
                 boxes=f"{traced.box_tests:.1f}", triangles=f"{traced.triangle_tests:.1f}"
             )

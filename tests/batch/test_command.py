@@ -9,10 +9,12 @@ from pathlib import Path
 import jsonschema
 import pytest
 
+from grader.batch.sources import opened_class
 from grader.cli.batch import tell_of
 from grader.report.as_json import schema_text
 from tests.batch.classes import class_of, folder_of, results, zip_of
 from tests.batch.stand_in import SETTINGS
+from tests.cli.calls import call
 from tests.cli.test_processes import environment
 from tests.own_files import ROOT
 
@@ -77,7 +79,7 @@ def test_a_folder_without_submissions_is_refused(tmp_path: Path, cache: Path) ->
     path = folder_of(tmp_path, "class", {"\x1b[31mnotes.txt": "x"})
     ended = batch(path, "-o", tmp_path / "out", "--unsafe-no-isolation", cache=cache)
     assert ended.returncode == 2
-    assert "no submission" in ended.stderr
+    assert f"{path}: there is no submission in it" in ended.stderr
     assert "\\x1b[31mnotes.txt" in ended.stdout
 
 
@@ -87,10 +89,26 @@ def test_all_that_is_not_graded_is_named(
     """However much there is: a student's file may be among it."""
     others = {f"{number}.pdf": "" for number in range(30)}
     with class_of(folder_of(tmp_path, "class", {"ada.cpp": RIGHT, **others})) as class_:
-        tell_of(class_)
+        tell_of(Path("class.zip"), class_)
     *named, last = capsys.readouterr().out.splitlines()
     assert named == [f"nobody's: `{name}`" for name in sorted(others)]
     assert last == "1 submissions, plain layout"
+
+
+def test_results_do_not_lie_among_the_submissions(tmp_path: Path) -> None:
+    """The next call would take them for submissions."""
+    path = folder_of(tmp_path, "class", {"ada.cpp": "a"})
+    done = call("batch", str(path), "-o", str(path))
+    assert done.exit_code == 2
+    assert "name another folder with -o" in done.output
+    assert [each.name for each in path.iterdir()] == ["ada.cpp"]
+
+
+def test_a_fault_of_the_reader_is_not_the_class_s(tmp_path: Path) -> None:
+    """Whatever breaks while a class is open, its folder can be read."""
+    path = folder_of(tmp_path, "class", {"ada.cpp": "a"})
+    with pytest.raises(BrokenPipeError), opened_class(path):
+        raise BrokenPipeError
 
 
 def test_a_store_holds_everything(tmp_path: Path) -> None:

@@ -100,6 +100,35 @@ def test_only_moodle_says_whose_a_file_is(made: Made, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
+    ("files", "platform"),
+    [
+        (MOODLE, "Moodle"),
+        (CANVAS, "Canvas"),
+        ({f"bvh-{name}/exercise03.cpp": CODE for name in "abc"}, "GitHub Classroom"),
+    ],
+    ids=["Moodle", "Canvas", "GitHub Classroom"],
+)
+def test_what_was_added_to_a_download_is_named(
+    made: Made, tmp_path: Path, files: Files, platform: str
+) -> None:
+    """Everybody would lose name and number, and be another one than in the last download."""
+    path = made(tmp_path, "bvh-submissions", {**files, "mine/exercise03.cpp": CODE})
+    with (
+        pytest.raises(UsageError, match=f"{platform}, but `mine` is none of it"),
+        class_of(path),
+    ):
+        pass
+
+
+def test_what_a_grade_left_in_a_download_is_nobodys(made: Made, tmp_path: Path) -> None:
+    """`bvhgrade grade` writes where it is called."""
+    files = {**MOODLE, "bvhgrade-out/result.json": "{}", "bvhgrade-out/exercise03.cpp": CODE}
+    with class_of(made(tmp_path, "CG", files)) as class_:
+        assert class_.layout == "Moodle"
+        assert "bvhgrade-out" in class_.others
+
+
+@pytest.mark.parametrize(
     ("names", "layout"),
     [
         (

@@ -8,6 +8,7 @@ import pytest
 
 from grader.batch.comparison import compared, lines, provenance_changes
 from grader.batch.job import Job
+from grader.batch.runner import Batch
 from grader.batch.store import opened_store
 from grader.batch.work import Order, Refused
 from grader.cli.regrading import regraded
@@ -103,6 +104,33 @@ def test_what_was_shown_is_applied(new: Job, log: Path) -> None:
         assert store.current() == new.settings
         bob = next(one for one in store.students() if one.name == "bob")
         assert store.result(bob.sha256 or "", SETTINGS) is not None
+
+
+def test_an_end_while_folders_are_written_says_what_holds(
+    new: Job, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The settings are the new ones by then; the same command finishes."""
+    with monkeypatch.context() as patch:
+
+        def ended(_: Batch) -> None:
+            raise KeyboardInterrupt
+
+        patch.setattr(Batch, "write", ended)
+        assert regraded(new, apply=True) == 130
+    said = capsys.readouterr().err
+    assert "the new results are those of the class" in said
+    assert "the same command goes on" in said
+    assert regraded(new, apply=True) == 0
+    assert points(new.folder)["bob"] not in (0, 50, None)
+
+
+@pytest.mark.parametrize("option", [["--regrade"], ["--drop", "ada"]])
+def test_a_folder_without_a_class_is_not_begun(tmp_path: Path, option: list[str]) -> None:
+    """A slip in its name leaves nothing behind."""
+    done = call("batch", "-o", str(tmp_path / "typo"), *option)
+    assert done.exit_code == 2
+    assert "there is no batch.sqlite" in done.output
+    assert not (tmp_path / "typo").exists()
 
 
 def test_what_could_not_be_graded_anew_keeps_all_as_it_is(tmp_path: Path, log: Path) -> None:

@@ -7,6 +7,7 @@ import pytest
 
 from grader.batch.runner import Batch
 from grader.cli.export import exported
+from grader.errors import UsageError
 from tests.batch.classes import CODE, folder_of, grade, points
 from tests.batch.stand_in import job
 
@@ -52,6 +53,31 @@ def test_a_withheld_score_is_told_as_one(tmp_path: Path, log: Path) -> None:
     assert made.problems == (
         "bob: left out, its points are withheld: call `bvhgrade batch` again",
     )
+
+
+def test_who_left_a_class_has_no_points(tmp_path: Path, log: Path) -> None:
+    """The store was removed and made anew without Bob, whose folder is still there."""
+    out, sheet = tmp_path / "out", tmp_path / "sheet.csv"
+    sheet.write_text(SHEET)
+    path = folder_of(tmp_path, "class", {"ada.cpp": CODE, "bob.cpp": "b"})
+    grade(path, job(out))
+    (out / "batch.sqlite").unlink()
+    (path / "bob.cpp").unlink()
+    grade(path, job(out))
+    made = exported("csv", out, sheet, ASKED)
+    assert scores(made.data) == {"ada": "50", "bob": "1", "cy": "", "dan": ""}
+    (told,) = made.problems
+    assert told.startswith("students/bob: batch.sqlite knows no student of this folder")
+
+
+def test_the_folder_of_the_students_alone_is_refused(tmp_path: Path, log: Path) -> None:
+    """Bob's file is a newer one, which only the store of the class knows."""
+    path = folder_of(tmp_path, "class", {"ada.cpp": CODE, "bob.cpp": "b"})
+    grade(path, job(tmp_path / "out"))
+    folder_of(tmp_path, "class", {"bob.cpp": "raise"})
+    grade(path, job(tmp_path / "out"))
+    with pytest.raises(UsageError, match=r"name the folder of the class, .*out$"):
+        exported("csv", tmp_path / "out/students", None, ASKED)
 
 
 def scores(data: bytes) -> dict[str, str]:

@@ -70,6 +70,23 @@ def test_every_command_is_there() -> None:
         assert f"\n  {name} " in told
 
 
+def test_the_list_of_commands_cuts_no_sentence() -> None:
+    """Each is told on one line."""
+    told = CliRunner().invoke(cli, ["--help"], terminal_width=80).stdout
+    assert "..." not in told.partition("Commands:")[2]
+
+
+def test_a_call_of_batch_is_told_what_it_lacks() -> None:
+    """One mistake a sentence."""
+    none = call("batch", "-o", "out")
+    assert "name the folder or zip of a class" in none.output
+    assert "--apply" not in none.output
+    apply = call("batch", "tests", "-o", "out", "--apply")
+    assert "give --regrade as well" in apply.output
+    assert "zip" not in apply.output
+    assert none.exit_code == apply.exit_code == 2
+
+
 def test_version_is_the_package_s() -> None:
     """For a bug report."""
     assert call("--version").stdout == f"bvhgrade, version {__version__}\n"

@@ -30,7 +30,7 @@ def test_a_worksheet_is_filled_in_place() -> None:
     assert result.exit_code == 1
     assert result.stdout == "4 of 7 rows filled: sheet.csv\n"
     assert "no result: row 5: Participant 999, Ada Lovelace\n" in result.stderr
-    assert "not exported: Our Fault_106_assignsubmission_file: row 2 is left" in result.stderr
+    assert "look at this: Our Fault_106_assignsubmission_file: row 2 is left" in result.stderr
     assert rules.moodle_worksheet(sheet.read_bytes(), "en")[101][0] == 50
     assert sheet.stat().st_mode & 0o777 == 0o600
     assert sorted(each.name for each in Path().iterdir()) == ["class", "sheet.csv"]

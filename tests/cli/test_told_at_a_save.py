@@ -61,6 +61,14 @@ def test_one_check_is_told_as_one(told: Told) -> None:
     )
 
 
+def test_what_waits_is_told_to_be_shown_later(told: Told) -> None:
+    """As many as fail besides, and when."""
+    two = "2 more checks fail; they are shown once this one passes."
+    assert two in told(samples.failing())
+    one = "1 more check fails; it is shown once this one passes."
+    assert one in told(samples.changed(c5=samples.loose_boxes(), c8=samples.crash()))
+
+
 def test_what_the_rubric_hides_was_not_run(told: Told, tmp_path: Path) -> None:
     """A note of the build is told at every save; nothing is called everything."""
     hidden = f"the rubric hides these checks, so they were not run: {CHECK}"

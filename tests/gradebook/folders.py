@@ -1,7 +1,9 @@
 """Folders of a class, one for each student, with real results in them."""
 
 import json
+import sqlite3
 from collections.abc import Mapping
+from contextlib import closing
 from pathlib import Path
 
 from tests.report import real
@@ -30,7 +32,9 @@ def write_batch(
         students: Name of a folder; and name, id and e-mail address of the student.
     """
     write_class(folder / "students", dict.fromkeys(students, "right"))
-    (folder / "batch.sqlite").touch()
+    with closing(sqlite3.connect(folder / "batch.sqlite", isolation_level=None)) as store:
+        store.execute("CREATE TABLE student (slug TEXT)")
+        store.executemany("INSERT INTO student VALUES (?)", [(slug,) for slug in students])
     for slug, (name, id, email) in students.items():
         known = {"schema": 1, "name": name, "id": id, "email": email, "layout": layout}
         (folder / "students" / slug / "student.json").write_text(json.dumps(known))

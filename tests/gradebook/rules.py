@@ -11,6 +11,19 @@ import re
 HEADERS = {
     "en": ("Identifier", "Grade", "Last modified (grade)", "Feedback comments"),
     "de": ("ID", "Bewertung", "Zuletzt geändert (Bewertung)", "Feedback als Kommentar"),
+    "fr": (
+        "Identifiant",
+        "Note",
+        "Dernière modification (note)",
+        "Feedback par commentaires",
+    ),
+    "es": (
+        "Identificador",
+        "Calificación",
+        "Última modificación (calificación)",
+        "Comentarios de retroalimentación",
+    ),
+    "it": ("Identificativo", "Valutazione", "Ultima modifica (valutazione)", "Commenti"),
 }
 
 
@@ -26,7 +39,7 @@ def read(data: bytes, delimiter: str, encoding: str = "utf-8-sig") -> list[list[
 
 def moodle_number(text: str, language: str) -> float:
     """Read a number as `unformat_float` does: the language's comma, or a point."""
-    return float(text.replace(",", ".") if language == "de" else text)
+    return float(text if language == "en" else text.replace(",", "."))
 
 
 def moodle_worksheet(
@@ -40,7 +53,7 @@ def moodle_worksheet(
     taken: dict[int, tuple[float, str]] = {}
     for row in rows:
         cell = dict(zip(header, row, strict=True))
-        number = re.fullmatch(r"(?:Participant |Teilnehmer/in)(\d+)", cell[who])
+        number = re.fullmatch(r"(?:Participante? |Partecipante |Teilnehmer/in)(\d+)", cell[who])
         if number is None or not cell[grade].strip():
             continue
         points = moodle_number(cell[grade], language)
@@ -95,5 +108,5 @@ def canvas(data: bytes, users: dict[str, str], assignment: str) -> dict[str, flo
         if row[1] not in users:
             raise ImportAbortedError(f"{row[0]} would be offered as a new student")
         text = row[column].replace(",", ".")
-        taken[row[1]] = None if not text or text == "EX" else float(text)
+        taken[row[1]] = None if text in ("", "EX", "N/A") else float(text)
     return taken

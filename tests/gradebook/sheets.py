@@ -24,6 +24,36 @@ GERMAN = (
     'Teilnehmer/in101;"Ada Lovelace";ada@uni.example;Abgegeben;;50,00;Ja;-;-;\n'
 )
 
+FRENCH = (
+    'Identifiant,"Nom complet","Adresse de courriel",Statut,Note,"Note maximale",'
+    '"La note peut être modifiée","Dernière modification (note)","Feedback par commentaires"\n'
+    '"Participant 102","Grace Hopper",grace@uni.example,-,,"50,00",Oui,-,\n'
+    '"Participant 101","Ada Lovelace",ada@uni.example,-,,"50,00",Non,-,\n'
+)
+
+SPANISH = (
+    'Identificador,"Nombre completo","Dirección de correo",Estado,Calificación,'
+    '"Calificación máxima","La calificación puede ser cambiada",'
+    '"Última modificación (calificación)","Comentarios de retroalimentación"\n'
+    '"Participante 102","Grace Hopper",grace@uni.example,-,,"50,00",Sí,-,\n'
+    '"Participante 101","Ada Lovelace",ada@uni.example,-,,"50,00",No,-,\n'
+)
+
+ITALIAN = (
+    'Identificativo,Nome,"Indirizzo email",Stato,Valutazione,'
+    '"Valutazione massima","La valutazione può essere cambiata",'
+    '"Ultima modifica (valutazione)",Commenti\n'
+    '"Partecipante 102","Grace Hopper",grace@uni.example,-,,"50,00",Sì,-,\n'
+    '"Partecipante 101","Ada Lovelace",ada@uni.example,-,,"50,00",No,-,\n'
+)
+
+DUTCH = (
+    'Identificatie,"Volledige naam",E-mailadres,Status,Cijfer,"Maximumcijfer",'
+    '"Cijfer kan gewijzigd worden","Laatst gewijzigd (beoordeling)","Feedback opmerkingen"\n'
+    '"Deelnemer 102","Grace Hopper",grace@uni.example,-,,"50,00",Ja,-,\n'
+)
+"""In a language whose words are not known here."""
+
 GRADEBOOK = (
     'First name,Surname,ID number,Email address,"Assignment: Exercise 3 BVH (Real)",'
     '"Assignment: Exercise 3 BVH (Feedback)","Course total (Real)",'

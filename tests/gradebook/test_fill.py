@@ -136,15 +136,51 @@ def test_canvas_imports_the_points_of_one_assignment() -> None:
     )
 
 
+def test_who_is_not_assigned_in_canvas_gets_no_points() -> None:
+    """Canvas would drop them; in a list of one's own the same word is a cell like any other."""
+    text = sheets.CANVAS.replace("u2,grace,CG-1,,12,80", "u2,grace,CG-1,,N/A,80")
+    given = a_class(ada="right", grace="right")
+    made = fill(text, "canvas", given, Asked(grade="Exercise 3 BVH"))
+    assert made.filled == 1
+    assert b",grace,CG-1,,N/A,80" in made.data
+    assert made.problems == (
+        "grace: row 4 is left as it was: the assignment is not this student's (N/A), so Canvas "
+        "would drop the points",
+    )
+    assert fill("login,score\ngrace,N/A\nada,\n", "csv", given).filled == 2
+
+
 def test_a_plain_list_is_filled() -> None:
     """With German headers too."""
     text = "Matrikelnummer;Punkte;Kommentar\n777;;\n778;;\n"
     made = fill(text, "csv", a_class(**{"777": "first-hit-wins", "778": "right"}))
     header, first, second = rules.read(made.data, ";")
     assert header == ["Matrikelnummer", "Punkte", "Kommentar"]
-    assert first[:2] == ["777", "38.25"]
+    assert first[:2] == ["777", "38,25"]
     assert second[:2] == ["778", "50"]
     assert "closest hit" in first[2]
+
+
+@pytest.mark.parametrize(
+    ("text", "points"),
+    [
+        ("email;score;sheet 1\nada;;7,5\n", "38,25"),
+        ("email;score;sheet 1\nada;;7.5\n", "38.25"),
+        ("email;score;sheet 1;sheet 2\nada;;7.5;7,5\n", "38,25"),
+        ("email;score;sheet 1\nada;7.5;7,5\n", "38.25"),
+        ("email;score;sheet 1\nada;;7\n", "38,25"),
+        ('email,score,sheet 1\nada,,"7,5"\n', "38,25"),
+        ("email,score,sheet 1\nada,,7.5\n", "38.25"),
+        ("email,score,day\nada,,7.5.2025\n", "38.25"),
+        ("email\tscore\nada\t\n", "38.25"),
+        ("email\tscore\tsheet 1\nada\t\t7,5\n", "38,25"),
+    ],
+)
+def test_points_are_written_as_the_file_writes_numbers(text: str, points: str) -> None:
+    """As in the assignment's own columns, else as in others, else as its delimiter says."""
+    made = fill(text, "csv", a_class(ada="first-hit-wins"))
+    sign = next(each for each in "\t;," if each in text)
+    assert rules.read(made.data, sign)[1][1] == points
 
 
 def test_columns_of_other_names_can_be_named() -> None:

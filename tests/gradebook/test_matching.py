@@ -60,12 +60,12 @@ def test_gradescope_tells_number_and_address(tmp_path: Path) -> None:
 
 
 def test_a_number_stands_where_the_host_writes_it_in_any_language(tmp_path: Path) -> None:
-    """A French header says nothing here, but who names the column means what is in it."""
+    """A Dutch header says nothing here, but who names the column means what is in it."""
     whole_class = results_in(write_class(tmp_path, CLASS))
-    text = sheets.ENGLISH.replace("Identifier", "Identifiant").replace("Full name", "Nom")
-    asked = Asked(id="Identifiant")
+    text = sheets.ENGLISH.replace("Identifier", "Identificatie").replace("Full name", "Naam")
+    asked = Asked(id="Identificatie")
     assert fill(text, "moodle", whole_class, asked).filled == 4
-    assert fill(text, "moodle", whole_class, replace(asked, id="Nom")).filled == 2
+    assert fill(text, "moodle", whole_class, replace(asked, id="Naam")).filled == 2
     text = sheets.CANVAS.replace("Student,ID,", "Étudiant,Numéro,")
     given = a_class(lovelaceada_9001_55_x="right")
     asked = Asked(grade="Exercise 3 BVH", id="Numéro")
@@ -76,3 +76,13 @@ def test_everybody_is_told_if_nobody_is_in_a_file() -> None:
     """The first one may be the only one who is rightly missing."""
     with pytest.raises(UsageError, match="bob: no row has this student\neve: no row"):
         fill("email,score\nada,\n", "csv", a_class(bob="right", eve="right"))
+
+
+def test_an_old_folder_does_not_stand_in_its_student_s_way(tmp_path: Path) -> None:
+    """It would be a second result for the row; nobody's it is, and told."""
+    written = write_batch(tmp_path, "Moodle", {"jm": ("Jörg Müller", "103", "")})
+    write_class(tmp_path / "students", {"Jörg Müller_103_assignsubmission_file": "rejected"})
+    made = fill(sheets.ENGLISH, "moodle", results_in(written))
+    assert rules.moodle_worksheet(made.data, "en")[103][0] == 50
+    (told,) = made.problems
+    assert told.startswith("students/Jörg Müller_103_assignsubmission_file: batch.sqlite knows")

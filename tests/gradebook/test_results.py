@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from grader.errors import UsageError
-from grader.gradebook.results import Ids, ids_of, results_in
+from grader.gradebook.results import Ids, ids_of, result_paths, results_in
 from tests.gradebook.folders import CLASS, write_batch, write_class
 from tests.report import real
 
@@ -69,6 +69,59 @@ def test_the_usual_folder_of_grade_belongs_to_the_one_above(tmp_path: Path) -> N
     """Somebody graded without -o, in a folder for each student's result."""
     write_class(tmp_path, {"ada/bvhgrade-out": "right"})
     assert [one.student for one in results_in(tmp_path)] == ["ada"]
+
+
+def test_a_result_in_the_current_folder_has_a_name(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """That of the folder, whatever it was called as."""
+    write_class(tmp_path, {"ada": "right"})
+    monkeypatch.chdir(tmp_path / "ada")
+    assert [one.student for one in results_in(Path())] == ["ada"]
+
+
+@pytest.mark.parametrize("relative", [False, True])
+def test_only_the_store_of_a_class_says_whose_results_count(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, relative: bool
+) -> None:
+    """Others lie there of somebody who is gone, or of whoever graded there on their own."""
+    write_batch(tmp_path, "plain", {"ada": ("Ada", "", ""), "eve": ("Eve", "", "")})
+    write_class(tmp_path, dict.fromkeys(["students/bob", "old"], "right"))
+    monkeypatch.chdir(tmp_path)
+    found = results_in(Path() if relative else tmp_path, {"eve"})
+    assert [one.student for one in found if not one.why] == ["ada"]
+    strays = {one.student: one for one in found if one.why}
+    assert sorted(strays) == ["old", "students/bob"]
+    assert all(one.is_nobody_s for one in strays.values())
+    assert "knows no student of this folder" in strays["old"].why
+
+
+def test_somebody_of_a_class_may_be_called_like_a_folder_of_ours(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A class's folders are its students' own, so nobody is in the folder of another."""
+    students = {"ada": ("Ada", "", ""), "bvhgrade-out": ("bvhgrade-out", "", "")}
+    write_batch(tmp_path, "plain", students)
+    assert [one.student for one in results_in(tmp_path)] == ["ada", "bvhgrade-out"]
+    monkeypatch.chdir(tmp_path / "students")
+    assert len(result_paths(Path())) == 2, "as `report` looks for them"
+
+
+@pytest.mark.parametrize("folder", ["class/students", "class/students/ada", "."])
+def test_a_class_is_given_as_a_whole(tmp_path: Path, folder: str) -> None:
+    """Else nobody would ask its store who has handed in again."""
+    written = write_batch(tmp_path / "class", "plain", {"ada": ("Ada", "", "")})
+    with pytest.raises(UsageError, match="name the folder of the class") as fault:
+        results_in(tmp_path / folder)
+    assert str(fault.value).endswith(str(written))
+
+
+def test_a_store_that_cannot_be_read_is_told(tmp_path: Path) -> None:
+    """Without it nobody knows who is part of the class."""
+    write_batch(tmp_path, "plain", {"ada": ("Ada", "", "")})
+    (tmp_path / "batch.sqlite").write_bytes(b"no data base" * 100)
+    with pytest.raises(UsageError, match=r"batch\.sqlite: .*call `bvhgrade batch` again"):
+        results_in(tmp_path)
 
 
 def test_no_link_is_followed(tmp_path: Path) -> None:

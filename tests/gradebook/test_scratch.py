@@ -8,7 +8,7 @@ from grader.errors import UsageError
 from grader.gradebook.results import Marked, ids_of, results_in
 from grader.gradebook.scratch import made
 from tests.gradebook import rules
-from tests.gradebook.folders import write_batch
+from tests.gradebook.folders import write_batch, write_class
 from tests.report import real
 
 USERS = {"ada@uni.example": "right", "bob@uni.example": "first-hit-wins"}
@@ -107,6 +107,17 @@ def test_a_student_with_two_results_is_left_out(host: str) -> None:
     list_made = made(host, a_class({"ada": "right"}) * 2 + a_class({"bob": "right"}), str)
     assert len(rules.read(list_made.data, ",")) == 2
     assert list_made.problems == ("ada: several results, none is taken",)
+
+
+@pytest.mark.parametrize("host", ["moodle", "csv"])
+def test_a_folder_that_is_nobody_s_is_left_out(tmp_path: Path, host: str) -> None:
+    """And told; it is the old one of somebody who is in the list with another."""
+    write_batch(tmp_path, "plain", {"ada": ("ada", "", "")})
+    write_class(tmp_path / "students", {"ada-1f2e3d": "first-hit-wins"})
+    list_made = made(host, results_in(tmp_path), str)
+    assert [row[:2] for row in rules.read(list_made.data, ",")[1:]] == [["ada", "50"]]
+    (told,) = list_made.problems
+    assert told.startswith("students/ada-1f2e3d: left out, batch.sqlite knows no student")
 
 
 def test_the_name_of_a_folder_is_no_formula() -> None:

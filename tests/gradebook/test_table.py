@@ -62,6 +62,45 @@ def test_the_delimiter_is_the_header_s(text: str, delimiter: str) -> None:
     assert read_table(text.encode()).delimiter == delimiter
 
 
+@pytest.mark.parametrize(("mark", "encoding"), ENCODINGS)
+@pytest.mark.parametrize("told", ["sep=;\r\n", "SEP=;\n", '"sep=;"\n'])
+def test_a_line_that_tells_excel_the_delimiter_is_no_row(
+    told: str, mark: bytes, encoding: str
+) -> None:
+    """It stays in its place, and rows are counted as Excel counts them."""
+    data = mark + f"{told}email,address;score\nada;5\n".encode(encoding)
+    table = read_table(data)
+    assert table.header == ("email,address", "score")
+    assert table.lines[1].value(1) == "5"
+    assert written(table) == data
+
+
+def test_excel_may_be_told_any_sign() -> None:
+    """One that a pattern would act on is only a sign."""
+    data = b"sep=|\nemail|score\nada|5\n"
+    assert read_table(data).header == ("email", "score")
+    assert written(read_table(data)) == data
+    with pytest.raises(UsageError, match="line 3: a quote begins"):
+        read_table(b'sep=|\nemail|score\n"ada|5\n')
+
+
+def test_a_header_may_begin_like_a_spreadsheet_or_like_a_line_for_excel() -> None:
+    """`PK` is a name, too, and so is `sep=` where nothing follows or more does."""
+    assert read_table(b"PK;score\nada;5\n").header == ("PK", "score")
+    assert read_table(b"sep=;score\nada;5\n").header == ("sep=", "score")
+
+
+def test_a_blank_behind_a_quote_stays() -> None:
+    """It belongs to the cell, and is nothing that it says."""
+    data = b'"email" ,score\n"ada" ,5\n"b ""x"""  ,"6" \n'
+    table = read_table(data)
+    assert table.header == ("email", "score")
+    assert [line.value(0) for line in table.lines[1:]] == ["ada", 'b "x"']
+    assert table.lines[2].value(1) == "6"
+    assert written(table) == data
+    assert table.lines[2].changed(1, "7").cells[1] == '"7"'
+
+
 @pytest.mark.parametrize(
     ("data", "said"),
     [

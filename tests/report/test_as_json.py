@@ -116,6 +116,10 @@ def test_the_shape_is_the_contract() -> None:
             "faces": 5,
             "rays": 0,
             "file": "counterexamples/bvh.boxes-are-tight.json",
+            "message": "node 1: box is too small",
+            "expected": "node 1 box.max = (0.5, 1, 0)",
+            "got": "node 1 box.max = (0.25, 1, 0)",
+            "explanation": "",
         },
         "seconds": None,
     }

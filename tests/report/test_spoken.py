@@ -21,8 +21,8 @@ def test_messages_are_told_and_nothing_else_changes() -> None:
     assert result == before
     check = next(one for one in told["checks"] if one["id"] == "hits.closest-wins")
     assert "falsch, zuerst in" in check["message"]
-    assert "aber Fläche" in check["examples"][0]["message"]
-    assert check["expected"].startswith("ein Treffer auf Fläche")
+    assert "aber Dreieck" in check["examples"][0]["message"]
+    assert check["expected"].startswith("ein Treffer auf Dreieck")
     same = ("id", "title", "score", "verdict", "location", "counterexample")
     for one, other in zip(told["checks"], before["checks"], strict=True):
         assert [one[name] for name in same] == [other[name] for name in same]

@@ -260,7 +260,7 @@ def main(file: Path, told: Path, deeds: list[str]) -> None:
     options = Options(41, None, (), silent)
     fails, narrow = deeds[0] == "counterexample", deeds[0] == "bar"
     check = "hits.closest-wins" if fails else None
-    first = wanted(Wish(file, options, None if fails else SCENE, check, str))
+    first = wanted(Wish(file, options, None if fails else SCENE, check))
     with Desk(file, options, first) as desk:
         study = Study(desk)
         window = Window(desk, study, [SCENE, "nested"], translator("de") if narrow else str)

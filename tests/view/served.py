@@ -56,7 +56,7 @@ def opened(file: Path) -> Iterator[Open]:
         with Desk(file, OPTIONS, lambda: of_scene("soup")) as desk:
             study = Study(desk)
             service = Service(desk, study, str)
-            with Door(service, written(desk, ["soup", "nested"], str)) as door:
+            with Door(service, written(file, ["soup", "nested"], "en")) as door:
                 ready.append(Open(door, service))
                 there.set()
                 service.serve()

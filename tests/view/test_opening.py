@@ -39,7 +39,7 @@ def rubric(tmp_path: Path) -> Path:
 
 def wish(rubric: Path | None, scene: str) -> Wish:
     """Want to see a scene."""
-    return Wish(Path("a.cpp"), Options(41, rubric, (), silent), scene, None, str)
+    return Wish(Path("a.cpp"), Options(41, rubric, (), silent), scene, None)
 
 
 def test_a_course_s_own_scene_opens(rubric: Path) -> None:
@@ -61,7 +61,7 @@ def test_without_the_rubric_it_is_unknown() -> None:
 
 def of_check(folder: Path, check: str) -> Wish:
     """Want to see what fails a check."""
-    return Wish(folder / "a.cpp", Options(41, None, (), silent), None, check, str)
+    return Wish(folder / "a.cpp", Options(41, None, (), silent), None, check)
 
 
 def test_a_check_that_does_not_exist_is_told_at_once(tmp_path: Path) -> None:

@@ -5,18 +5,20 @@ import http.client
 import socket
 import struct
 import threading
+from pathlib import Path
 from types import SimpleNamespace
 from typing import Any, cast
 
 import numpy as np
 import pytest
 
+from grader.language import translator
 from grader.model.scene import Scene
 from grader.oracle.scenes import scenes
 from grader.view import server
 from grader.view.camera import frame_of, orbit_of
 from grader.view.desk import Desk
-from grader.view.server import HERE
+from grader.view.server import HERE, written
 from grader.view.service import DEEPEST_SENT, Service
 from grader.view.study import Study
 from grader.view.subject import Subject
@@ -32,6 +34,16 @@ def test_the_page_is_given_to_who_knows_the_secret(house: Open) -> None:
     told = html.unescape(text.decode())
     assert "connect-src 'self'" in told
     assert "default-src 'none'" in told
+
+
+def test_the_whole_page_speaks_the_language_that_was_asked_for() -> None:
+    """Whatever LANG says: the words of the template and those of the script."""
+    text = html.unescape(written(Path("a.cpp"), ["soup"], "de"))
+    assert '<html lang="de">' in text
+    german = translator("de")
+    for told in ("Next failing ray", "The program has ended; start it again."):
+        assert german(told) in text
+        assert told not in text
 
 
 @pytest.mark.parametrize("host", ["evil.example", "evil.example:80", "", "127.0.0.1.evil:1"])

@@ -137,17 +137,17 @@ def classroom(result: Json, words: Words) -> Json:
         "version": 1,
         "status": status,
         "max_score": result["max_score"],
-        "tests": [classroom_test(entry) for entry in shown],
+        "tests": [classroom_test(entry, words) for entry in shown],
     }
 
 
-def classroom_test(entry: Entry) -> Json:
+def classroom_test(entry: Entry, words: Words) -> Json:
     """Write one check; the reporter prints its name and message into the log."""
     return {
         "name": short(f"{entry.id} {entry.title}"),
         "status": STATUS[entry.verdict],
         "score": entry.score,
-        "message": short(entry.text or headline_of(entry)),
+        "message": short(entry.text or headline_of(entry, words)),
         "test_code": f"bvhgrade check --only {entry.id}",
         "filename": FILE,
         "line_no": entry.line,
@@ -155,9 +155,9 @@ def classroom_test(entry: Entry) -> Json:
     }
 
 
-def headline_of(entry: Entry) -> str:
+def headline_of(entry: Entry, words: Words) -> str:
     """Word a check that has nothing to say; without it the reporter says it did not run."""
-    return f"{entry.title} ({worth(entry)})"
+    return f"{entry.title} ({worth(entry, words)})"
 
 
 def short(text: str) -> str:

@@ -12,7 +12,7 @@ checks alone would count as the grade.
 from grader.language import Words
 from grader.report.as_json import Json
 from grader.report.escape import for_json
-from grader.report.hosts.told import Entry, every_entry, summary
+from grader.report.hosts.told import VISIBLE, Entry, every_entry, summary, unbuilt, withheld
 
 STATUS = {"pass": "passed", "fail": "failed", "blocked": "failed"}
 """Only a check that moves points has one; a gate of 0 points would else count as passed."""
@@ -22,7 +22,7 @@ def to_text(result: Json, words: Words = str) -> str:
     """Write `results.json`; what is not visible is hidden by Gradescope itself."""
     known = result["score"] is not None
     told = {
-        "output": summary(result, words),
+        "output": output(result, words),
         # By itself Gradescope would turn empty lines into paragraphs, and `<` into markup.
         "output_format": "text",
         "test_output_format": "text",
@@ -33,6 +33,18 @@ def to_text(result: Json, words: Words = str) -> str:
         "tests": [test(entry, known) for entry in every_entry(result, words)],
     }
     return for_json({"score": result["score"], **told} if known else told) + "\n"
+
+
+def output(result: Json, words: Words) -> str:
+    """Word what is said of the whole; no sum if the rubric hides a check.
+
+    Gradescope hides the total then, but not this text, and whoever takes the points that are
+    seen from a sum has those that are not.
+    """
+    if all(one["visibility"] == VISIBLE for one in result["checks"]):
+        return summary(result, words)
+    fault = withheld(words) if result["score"] is None else ""
+    return "\n".join(filter(None, [fault, unbuilt(result, words)]))
 
 
 def test(entry: Entry, known: bool) -> Json:

@@ -1,5 +1,6 @@
 """How does a whole class look on one page?"""
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -14,6 +15,7 @@ from grader.report.class_row import (
     most_failed,
     names_of,
 )
+from grader.report.counts import teller
 from grader.report.escape import for_csv
 from grader.report.hints import told
 from grader.report.html.page import SIGNS, page
@@ -24,6 +26,9 @@ WIDTH, HEIGHT, LEFT, BELOW, ABOVE = 760, 200, 36, 22, 10
 GAP = 3
 COLUMNS = ("student", "score", "max_score", "seconds")
 """Of the table for a spreadsheet, before the checks."""
+
+AT_LINE = re.compile(r"(?s)line (\d+): (.*)")
+"""A note of what a compiler said."""
 
 LINES = 4
 """Of the histogram's grid, the lowest one not counted."""
@@ -58,6 +63,7 @@ def to_class_page(rows: Sequence[Row], footer: str, language: str) -> str:
         language: `en` or `de`.
     """
     words, checks = translator(language), check_names(rows)
+    noted = [note(row.note, words, teller(language)) for row in rows]
     failed = [
         {"check": check, "students": count, "percent": round(100 * count / len(rows))}
         for check, count in most_failed(rows)
@@ -74,8 +80,8 @@ def to_class_page(rows: Sequence[Row], footer: str, language: str) -> str:
         ],
         "checks": checks,
         "rows": [
-            _row(row, name, checks, words)
-            for row, name in zip(rows, names_of(rows), strict=True)
+            _row(row, name, checks, words) | {"note": remark}
+            for row, name, remark in zip(rows, names_of(rows), noted, strict=True)
         ],
         "footer": footer,
     }
@@ -107,6 +113,14 @@ def withheld(rows: Sequence[Row], words: Words) -> str:
         "are in no average."
     )
     return sentence.format(count=count) if count else ""
+
+
+def note(written: str, words: Words, told: Words) -> str:
+    """Tell in a language why nothing could be graded; what a compiler said stays as it is."""
+    found = AT_LINE.fullmatch(written)
+    if found is None:
+        return told(written)
+    return words("line {line}: {text}").format(line=found[1], text=found[2])
 
 
 def chart(bars: Sequence[Bar], words: Words) -> dict[str, object]:
@@ -146,7 +160,6 @@ def _row(row: Row, name: str, checks: Sequence[str], words: Words) -> dict[str, 
     return {
         "name": name,
         "link": row.link,
-        "note": row.note,
         "withheld": row.score is None,
         "points": words("withheld") if row.score is None else f"{row.score:g}",
         "seconds": f"{row.seconds:.1f}",

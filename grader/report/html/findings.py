@@ -7,13 +7,28 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from grader.language import Words
-from grader.report.facts import FILE, costs, root
+from grader.report.counts import counted
+from grader.report.facts import FILE, OUTPUT, costs, root
 from grader.report.hints import cause_in, told
 
 Json = Mapping[str, Any]
 
 _COUNTED = re.compile(r"(?s)([\d,]+ of [\d,]+ wrong[^:]*): (.*)")
 """How a check words what it counted, and then its first example."""
+
+
+Fact = tuple[str, str, str]
+"""Label, text and class."""
+
+
+@dataclass(frozen=True, slots=True)
+class Smallest:
+    """The smallest input that fails, which is another one than the failure's own."""
+
+    size: str
+    message: str
+    facts: tuple[Fact, ...]
+    """What was expected of it, what it got, and where in the tree that was lost."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,8 +44,10 @@ class Failure:
     where: str
     """The first wrong place; empty if that says all."""
 
-    facts: tuple[tuple[str, str, str], ...]
-    """Label, text and class of what was expected, what was there, and where."""
+    facts: tuple[Fact, ...]
+    """What was expected, what was there, and where."""
+
+    smallest: Smallest | None
 
     cause: str
     hints: tuple[tuple[str, str], ...]
@@ -46,7 +63,7 @@ class Failure:
     """Which model of the 3D view shows it."""
 
     table: Json | None
-    """The tree of its smallest example, node by node."""
+    """The tree of its smallest input, node by node."""
 
 
 def failures(result: Json, views: Json, words: Words) -> list[Failure]:
@@ -60,10 +77,26 @@ def spoken(one: Failure, told: Words) -> Failure:
         one,
         happened=told(one.happened),
         where=told(one.where),
-        facts=tuple(
-            (label, "\n".join(map(told, text.split("\n"))), kind)
-            for label, text, kind in one.facts
+        facts=_spoken(one.facts, told),
+        smallest=one.smallest
+        and replace(
+            one.smallest,
+            message=told(one.smallest.message),
+            facts=_spoken(one.smallest.facts, told),
         ),
+        table=None if one.table is None else _table(one.table, told),
+    )
+
+
+def _table(given: Json, told: Words) -> Json:
+    """Tell what stands in the cells of a tree, where it is words."""
+    columns = [[node, told(wanted), told(got)] for node, wanted, got in given["columns"]]
+    return {**given, "columns": columns}
+
+
+def _spoken(facts: tuple[Fact, ...], told: Words) -> tuple[Fact, ...]:
+    return tuple(
+        (label, "\n".join(map(told, text.split("\n"))), kind) for label, text, kind in facts
     )
 
 
@@ -113,6 +146,7 @@ def _failure(check: Json, result: Json, views: Json, words: Words) -> Failure:
         happened=happened,
         where=where,
         facts=tuple(_facts(check, words)),
+        smallest=_smallest(check["counterexample"], words),
         cause=cause_in(check["hint"], words),
         hints=tuple(_hints(check["id"], words)),
         commands=tuple(_commands(check, result, words)),
@@ -130,13 +164,23 @@ def _first_place(message: str) -> tuple[str, str]:
     return (found[1], found[2]) if found else (message, "")
 
 
-def _facts(check: Json, words: Words) -> list[tuple[str, str, str]]:
-    found = check["counterexample"]
+def _smallest(found: Json | None, words: Words) -> Smallest | None:
+    if found is None:
+        return None
+    facts = [
+        (words("where"), found.get("explanation", ""), ""),
+        (words("expected"), found.get("expected", ""), "good"),
+        (words("got"), found.get("got", ""), "bad"),
+    ]
+    given = tuple(fact for fact in facts if fact[1])
+    return Smallest(size(found, words), found.get("message", ""), given)
+
+
+def _facts(check: Json, words: Words) -> list[Fact]:
     facts = [
         (words("expected"), check["expected"], "good"),
         (words("got"), check["got"], "bad"),
         (words("example"), "\n".join(_examples(check)), ""),
-        (words("smallest"), "" if found is None else size(found, words), ""),
         (words("look at"), _place(check["location"], words), ""),
     ]
     return [fact for fact in facts if fact[1]]
@@ -151,10 +195,12 @@ def _examples(check: Json) -> list[str]:
 def size(found: Json, words: Words) -> str:
     """Word how large a counterexample is."""
     faces, rays = found["faces"], found["rays"]
-    face = words("1 face") if faces == 1 else words("{faces} faces").format(faces=f"{faces:,}")
+    many = words("{faces} faces").format(faces=counted(faces, words))
+    face = words("1 face") if faces == 1 else many
     if not rays:
         return face
-    ray = words("1 ray") if rays == 1 else words("{rays} rays").format(rays=f"{rays:,}")
+    many = words("{rays} rays").format(rays=counted(rays, words))
+    ray = words("1 ray") if rays == 1 else many
     return f"{face}, {ray}"
 
 
@@ -183,7 +229,8 @@ def _commands(check: Json, result: Json, words: Words) -> list[tuple[str, str]]:
     again = f"bvhgrade check {FILE} --seed {result['provenance']['seed']}"
     commands = [(words("Run this check again"), f"{again} --only {check['id']}")]
     if check["counterexample"] is not None:
-        file = shlex.quote(check["counterexample"]["file"])
+        # From the exercise's folder, as the other names; where the page lies it cannot know.
+        file = shlex.quote(f"{OUTPUT}/{check['counterexample']['file']}")
         commands.append((words("Run the smallest example alone"), f"{again} --replay {file}"))
         viewer = f"bvhgrade view {FILE} --check {file}"
         commands.append((words("Look at the smallest example from all sides"), viewer))

@@ -8,6 +8,7 @@ from grader.errors import OutputFault
 from grader.language import Words
 from grader.plain import one_line
 from grader.report.colours import HEAT, MAGMA
+from grader.report.counts import counted
 from grader.report.views import MOST_PACKED
 
 Json = Mapping[str, Any]
@@ -81,11 +82,12 @@ def _drawn(one: Json, words: Words) -> dict[str, object]:
 def _summary(one: Json, words: Words) -> str:
     if not one["wrong"]:
         return words("All {pixels} pixels agree with Mitsuba's picture.").format(
-            pixels=f"{one['pixels']:,}"
+            pixels=counted(one["pixels"], words)
         )
     told = words("{wrong} of {pixels} pixels differ, the first in column {x}, row {y}.")
     column, row = one["first_wrong"] or (0, 0)
-    return told.format(wrong=f"{one['wrong']:,}", pixels=f"{one['pixels']:,}", x=column, y=row)
+    wrong, pixels = (counted(one[key], words) for key in ("wrong", "pixels"))
+    return told.format(wrong=wrong, pixels=pixels, x=column, y=row)
 
 
 def _ring(one: Json) -> dict[str, float] | None:
@@ -138,7 +140,7 @@ def _model(one: Json, words: Words, told: Words) -> dict[str, object]:
 
 
 def _name(one: Json, words: Words) -> str:
-    faces = words("{faces} faces").format(faces=f"{one['faces']:,}")
+    faces = words("{faces} faces").format(faces=counted(one["faces"], words))
     if one["check"]:
         return words("{check}: smallest example, {faces}").format(
             check=one_line(one["check"]), faces=faces

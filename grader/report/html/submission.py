@@ -5,8 +5,8 @@ from dataclasses import replace
 from typing import Any
 
 from grader.language import Words, translator
-from grader.phrases import teller
-from grader.report.facts import FILE, FUNCTIONS, NOT_STARTED
+from grader.report.counts import teller
+from grader.report.facts import BEGIN, FILE, FUNCTIONS, NOT_STARTED
 from grader.report.hosts.told import VISIBLE, withheld
 from grader.report.html.findings import failures, idle_parts, points, spoken
 from grader.report.html.page import SIGNS, page
@@ -36,10 +36,13 @@ def to_html(result: Json, views: Json | None, language: str, hints: bool = True)
     failed = [spoken(one, teller(language)) for one in failures(result, seen, words)]
     if not hints:
         failed = [replace(one, cause="", hints=()) for one in failed]
+    idle = [not_started(part, words) for part in idle_parts(result)]
+    if idle and hints and not failed:
+        idle.append(words(BEGIN))
     values = {
         **head(result, words),
         "failures": failed,
-        "idle": [not_started(part, words) for part in idle_parts(result)],
+        "idle": idle,
         "broken": [one for one in result["checks"] if one["verdict"] == "broken"],
         "groups": groups(result, words),
         "pictures": pictures(seen, not wrong_pictures(result), words),
@@ -155,12 +158,16 @@ def message(given: Json) -> dict[str, str]:
 def facts(result: Json, words: Words) -> list[tuple[str, str]]:
     """Say with what it was graded, and how long that took."""
     made, spent = result["provenance"], result["timing"]
-    times = words("{total} s: compiling {compile}, submission {submission}, grader {grader}")
+    alone = made["isolation"] == "none"
+    times = words(
+        "{total} s on the clock; compiling {compile}, workers {submission} in all, "
+        "grader {grader}, partly at once"
+    )
     return [
         (words("grader"), made["grader"]),
         (words("seed"), str(made["seed"])),
         (words("compiler"), " ".join([made["compiler"], *made["flags"]])),
-        (words("isolation"), made["isolation"]),
+        (words("isolation"), words("none") if alone else made["isolation"]),
         (words("processor"), made["cpu"]),
         (words("time"), times.format(**{key: f"{spent[key]:.1f}" for key in TIMES})),
         (words("file"), f"SHA-256 {result['submission']['sha256'] or '-'}"),
@@ -184,6 +191,7 @@ def script_words(words: Words) -> dict[str, str]:
         "deep": words("deeper than the boxes that are kept here"),
         "outcome": words("expected t = {expected}, got t = {got}"),
         "none": words("no hit"),
+        "group": words(","),
         "coarse": words("shown with {faces} faces"),
         "wrong": words(
             "The box of node {node} is wrong: red is what was built, dashed green what it "

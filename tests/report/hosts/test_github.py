@@ -5,6 +5,7 @@ import re
 
 import pytest
 
+from grader.language import translator
 from grader.report.as_json import Json, to_text
 from grader.report.hosts import github, github_summary
 from grader.report.hosts.told import entries, worst_first
@@ -152,6 +153,14 @@ def test_a_summary_fits_into_what_github_takes(flood: str) -> None:
     written = github_summary.to_text(result)
     assert len(written.encode()) <= 1_048_576
     assert all(f"number&#45;{n}</code>" in written for n in range(60))
+
+
+def test_a_check_that_has_nothing_to_say_tells_its_points_in_german() -> None:
+    """Also the words around them."""
+    told = github.classroom(real.real("right"), translator("de"))
+    messages = [test["message"] for test in told["tests"]]
+    assert any(message.endswith("(7 von 7)") for message in messages)
+    assert not any(" of " in message for message in messages)
 
 
 def test_what_classroom_s_reporter_is_started_with_fits_into_its_environment() -> None:

@@ -1,6 +1,7 @@
 """What the rubric hides is shown by no host, and its points still count."""
 
 import base64
+import json
 
 import pytest
 
@@ -61,6 +62,27 @@ def test_gradescope_is_told_what_to_hide_and_until_when() -> None:
     told = gradescope.to_text(result)
     assert told.count('"visibility": "hidden"') == 1
     assert told.count('"visibility": "after_due_date"') == 1
+
+
+@pytest.mark.parametrize("name", ["right", "first-hit-wins"])
+def test_gradescope_is_told_no_sum_that_gives_hidden_points_away(name: str) -> None:
+    """It hides the total, but never the text above the checks."""
+    told = json.loads(gradescope.to_text(real.partly_hidden(name)))
+    assert told["output"] == ""
+    assert told["score"] == real.real(name)["score"]
+    assert "50" in json.loads(gradescope.to_text(real.real(name)))["output"]
+
+
+def test_gradescope_is_told_why_there_is_no_score_though_checks_are_hidden() -> None:
+    """Ours or the student's fault: neither is a sum."""
+    broken = real.withheld()
+    broken["checks"][0]["visibility"] = "hidden"
+    (said,) = json.loads(gradescope.to_text(broken))["output"].split("\n")
+    assert said.startswith("The score is withheld")
+    refused = real.real("uncompiled")
+    refused["checks"][0]["visibility"] = "after_due_date"
+    said = json.loads(gradescope.to_text(refused))["output"]
+    assert said.startswith("The file does not compile")
 
 
 @pytest.mark.parametrize(("name", "verdict"), [("right", "pass"), ("first-hit-wins", "fail")])

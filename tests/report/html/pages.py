@@ -40,6 +40,9 @@ def spoilt(text: str, views: dict[str, Any]) -> str:
         if check["verdict"] == "fail":
             names = ("message", "expected", "got", "hint")
             check |= {name: f"{name} {text}" for name in names}
+            if found := check["counterexample"]:
+                names = ("message", "expected", "got", "explanation")
+                found |= {name: f"{name} {text}" for name in names}
     result["build"]["diagnostics"] = [
         {"line": 1, "column": 2, "severity": "warning", "text": text}
     ]

@@ -208,3 +208,15 @@ def test_the_page_speaks_german() -> None:
     assert '<html lang="de">' in page
     assert "Abgaben, Mittelwert" in page
     assert "Submissions" not in page
+
+
+def test_why_nothing_was_graded_is_told_in_german() -> None:
+    """Our own words are; a compiler's stay, whatever they say."""
+    rows = [
+        replace(row("a"), note="no file is called exercise03.cpp"),
+        replace(row("b"), note="line 7: no hit"),
+    ]
+    page = to_class_page(rows, "", "de")
+    assert "<small>keine Datei heißt exercise03.cpp</small>" in page
+    assert "<small>Zeile 7: no hit</small>" in page
+    assert "<small>line 7: no hit</small>" in to_class_page(rows, "", "en")

@@ -2,6 +2,7 @@
 
 import io
 import json
+import re
 from typing import Any
 
 import numpy as np
@@ -66,6 +67,14 @@ def test_every_ending_is_a_page(visit: Visit, name: str) -> None:
     found = Axe().run(page)
     assert found.violations_count == 0, found.generate_report()
     assert page.locator("html").get_attribute("lang") == "de"
+
+
+def test_the_script_speaks_german(visit: Visit, views: dict[str, Any]) -> None:
+    """It names the scene, and counts the faces of its coarser mesh with a point."""
+    page = ready(visit(to_html(to_json(samples.failing()), views, "de")))
+    page.locator("#model").select_option("2")
+    assert page.locator("#model option").nth(2).inner_text().startswith("Stanford-Drache, ")
+    expect(page.locator("#told")).to_have_text(re.compile(r"gezeigt mit \d+\.\d{3} Dreiecken"))
 
 
 @pytest.mark.parametrize("width", [360, 800, 1400])

@@ -1,5 +1,6 @@
 """The page of a submission says what its result says."""
 
+import copy
 import re
 from dataclasses import replace
 from typing import Any
@@ -27,7 +28,7 @@ def test_a_withheld_score_is_no_number() -> None:
     """Our own fault is told as ours."""
     told = Reader(page_of("broken")).text
     assert "score withheld" in told
-    assert "nothing is concluded about the submission" in told
+    assert "failed in these checks, which costs no points; your score is withheld:" in told
     assert "Embree and the rule of closest hits disagree on ray 3" in told
 
 
@@ -83,7 +84,13 @@ def test_a_failure_tells_everything_that_is_known() -> None:
     assert one.happened == "node 1 of 3 triangles: one of them reaches out"
     assert facts["expected"] == "node 1 box.max = (1.25, 1, 0)"
     assert facts["got"] == "node 1 box.max = (0.75, 1, 0)"
-    assert facts["smallest"] == "5 faces"
+    assert one.smallest is not None
+    assert one.smallest.size == "5 faces"
+    assert one.smallest.message == "node 1: box is too small"
+    assert [text for _, text, _ in one.smallest.facts] == [
+        "node 1 box.max = (0.5, 1, 0)",
+        "node 1 box.max = (0.25, 1, 0)",
+    ]
     assert facts["look at"] == "src/exercise03.cpp:7 in boxOf"
     assert one.cause.endswith("This explains 60 of 61 places.")
     assert one.waiting == ("bvh.children-partition-their-parent",)
@@ -91,8 +98,8 @@ def test_a_failure_tells_everything_that_is_known() -> None:
     assert one.table == table
     again, replay, view = (command for _, command in one.commands)
     assert again == "bvhgrade check src/exercise03.cpp --seed 41 --only bvh.boxes-are-tight"
-    assert replay.endswith("--replay counterexamples/bvh.boxes-are-tight.json")
-    file = "counterexamples/bvh.boxes-are-tight.json"
+    file = "bvhgrade-out/counterexamples/bvh.boxes-are-tight.json"
+    assert replay == f"bvhgrade check src/exercise03.cpp --seed 41 --replay {file}"
     assert view == f"bvhgrade view src/exercise03.cpp --check {file}"
     assert len(one.hints) == 2
 
@@ -103,9 +110,34 @@ def test_the_smallest_example_is_drawn_node_by_node(views: dict[str, Any]) -> No
     (table,) = re.findall(r'<table class="nodes">.*?</table>', page, re.DOTALL)
     assert table.count("<td") == 14
     assert table.count('class="f"') == 2
-    assert '<th scope="col" class="f">1</th>' in table
+    marked = '<th scope="col" class="f">1 <span class="unseen">erster Unterschied</span></th>'
+    assert marked in table
     assert '<th scope="row">erwartet</th>' in table
     assert "<code>0 4 | 1 2 3</code>" in page
+
+
+def test_the_smallest_input_tells_its_own_values() -> None:
+    """They are others than those of the large case; where it was lost is told, too."""
+    text = page_of("failing")
+    block = text[text.index('id="fix-hits.closest-wins"') :]
+    block = block[: block.index('class="command"')]
+    large, small = block.split("The smallest input that fails: 5 faces, 1 ray")
+    assert "<code>t = 1.25</code>" in large
+    assert "ray 0: t is 2.5, but face 1 is hit at 1.5" in small
+    assert "<code>a hit on face 1 at t = 1.5</code>" in small
+    assert "was never visited after node 0" in small
+    assert block.count("<h3>") == 1
+
+
+def test_an_older_result_lacks_what_the_smallest_input_said() -> None:
+    """Its size is known all the same."""
+    result = to_json(samples.failing())
+    for check in result["checks"]:
+        if found := check["counterexample"]:
+            check["counterexample"] = {key: found[key] for key in ("faces", "rays", "file")}
+    text = to_html(result, None, "en")
+    assert "The smallest input that fails: 5 faces, 1 ray" in text
+    assert "ray 0: t is 2.5" not in text
 
 
 def test_pixels_that_the_check_allows_are_no_mistake(views: dict[str, Any]) -> None:
@@ -116,8 +148,8 @@ def test_pixels_that_the_check_allows_are_no_mistake(views: dict[str, Any]) -> N
     result["checks"][-1] |= {"id": "image.equals-mitsuba", "verdict": "fail"}
     failed = to_html(result, views, "en")
     assert "They are few enough to pass." not in failed
-    assert '<p><span class="verdict f">✗</span> 1,600 of 262,144' in failed
-    assert '<p><span class="verdict p">✓</span> All 65,536' in failed
+    assert '<p><span class="verdict f">✗ fail</span> 1,600 of 262,144' in failed
+    assert '<p><span class="verdict p">✓ pass</span> All 65,536' in failed
 
 
 def test_how_many_are_wrong_stands_apart_from_the_first() -> None:
@@ -192,6 +224,21 @@ def test_both_sentences_of_a_cause_are_translated() -> None:
 def test_the_page_speaks_german() -> None:
     """Every text of ours."""
     told = Reader(page_of("failing", "de")).text
-    assert "Was zu verbessern ist" in told
+    assert "Was zu beheben ist" in told
     assert "What to fix" not in told
     assert "bestanden" in told
+
+
+def test_cells_and_titles_speak_german(views: dict[str, Any]) -> None:
+    """What a ray met, what a scene is called, and that nothing shut the program in."""
+    seen = copy.deepcopy(views)
+    seen["tables"][0]["columns"][0] = [0, "hit", "miss"]
+    seen["pictures"][0]["title"] = "Stanford dragon"
+    result = to_json(samples.failing())
+    result["provenance"]["isolation"] = "none"
+    page = to_html(result, seen, "de")
+    assert "<td>getroffen</td>" in page
+    assert "<td>verfehlt</td>" in page
+    assert ">Stanford-Drache</h3>" in page
+    assert "<dt>Abschottung</dt><dd><code>keine</code></dd>" in page
+    assert "von 262.144 Pixeln weichen ab" in page

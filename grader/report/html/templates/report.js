@@ -73,7 +73,7 @@
   };
   const tell = () => {
     const { model } = opened, { ray } = model, told = [];
-    if (model.faces !== model.mesh.faces) told.push(filled(words.coarse, { faces: model.mesh.faces.toLocaleString("en") }));
+    if (model.faces !== model.mesh.faces) told.push(filled(words.coarse, { faces: model.mesh.faces.toLocaleString("en").replaceAll(",", words.group) }));
     if (model.node !== null) told.push(filled(model.expected_box ? words.wrong : words.node, model));
     if (ray && ray.sentence) told.push(ray.sentence);
     if (ray) told.push(filled(words.outcome, { expected: number(ray.expected_t), got: number(ray.got_t) }));
