@@ -9,7 +9,8 @@ import jsonschema
 import pytest
 
 from grader import pipeline
-from grader.build.compile import Compilation, compile_submission
+from grader.build.compile import compile_submission
+from grader.build.compiling import Compilation
 from grader.certify.corpus import corpus_folder
 from grader.errors import UsageError
 from grader.model.grade import Grade, Limits
