@@ -29,6 +29,9 @@ MAX_BYTES = 24 << 20
 makes 50,000 rows and 1.6 MB, one with `std::regex` and threads 190,000 and 6 MB; a macro can
 make 200 million. A row takes 11 microseconds, and 1,000 bytes take 150."""
 
+MAX_ROW = 1 << 17
+"""Bytes of one instruction, which names two functions; a comment in it may name millions."""
+
 MOST_OWNERS = 16
 """Functions that a row may lie in. A compiler's do not overlap; inline assembly adds a few."""
 
@@ -165,9 +168,14 @@ def _placed(rows: list[bytes], read: _Read) -> Iterator[tuple[bytes, bytes]]:
         owners = inside or [table]
         placed += len(owners)
         size += len(owners) * len(row)
-        if placed > MAX_ROWS or size > MAX_BYTES:
+        endless = len(row) > MAX_ROW and _is_endless(row.strip())
+        if placed > MAX_ROWS or size > MAX_BYTES or endless:
             raise Tangled
         yield from ((owner, row) for owner in owners)
+
+
+def _is_endless(row: bytes) -> bool:
+    return len(row) > MAX_ROW and not row.startswith(b".")
 
 
 def _is_own(name: bytes) -> bool:
