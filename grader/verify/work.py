@@ -129,16 +129,18 @@ def _example(case: AlteredCase, ray: int) -> Example:
 def _unanswered(case: WorkCase) -> Example | None:
     """Word that rays were not traced: an answer without a search costs no test and no time.
 
-    Only hit or miss counts here. Which face is hit, other checks say, and whoever takes a wrong
-    one has searched, too.
+    Only hit or miss counts here, and only on a mesh where testing all faces takes too long. Which
+    face is hit, other checks say, and whoever takes a wrong one has searched, too.
     """
+    faces = len(case.trial.mesh.faces)
+    if faces <= LARGE_MESH:
+        return None
     got, true = np.isfinite(case.hits.t), np.isfinite(case.reference_t)
     for rays, what, other in ((true, "a hit", "none"), (~true, "no hit", "one")):
         if rays.sum() < FEW:
             continue
         share = (got == true)[rays].mean()
         if share < ANSWERED:
-            faces = len(case.trial.mesh.faces)
             return Example(
                 f"{rays.sum():,} rays have {what} among {faces:,} faces, but "
                 f"{(got != true)[rays].sum():,} of them get {other}: nothing shows that most "
