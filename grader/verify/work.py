@@ -129,8 +129,8 @@ def _example(case: AlteredCase, ray: int) -> Example:
 def _unanswered(case: WorkCase) -> Example | None:
     """Word that rays were not traced: an answer without a search costs no test and no time.
 
-    Only hit or miss counts here, and only on a mesh where testing all faces takes too long. Which
-    face is hit, other checks say, and whoever takes a wrong one has searched, too.
+    Only hit or miss counts here, and only on a mesh where testing all faces takes too long.
+    Which face is hit, other checks say, and whoever takes a wrong one has searched, too.
     """
     faces = len(case.trial.mesh.faces)
     if faces <= LARGE_MESH:

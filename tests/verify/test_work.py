@@ -145,14 +145,20 @@ def test_tests_and_time_have_limits(case: WorkCase, wrong: int) -> None:
     ],
     ids=["other t", "a tenth lost", "more lost", "no number", "more found", "few misses"],
 )
-def test_rays_are_answered_by_a_search(got: list[float], true: list[float], words: str) -> None:
+def test_rays_are_answered_by_a_search(
+    got: list[float], true: list[float], words: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """`return {}` tests nothing and takes no time; whoever finds a wrong face has searched."""
     case = work(60, 10, 0.1)
     hits = replace(case.hits, t=np.array(got, np.float32))
     case = replace(case, hits=hits, reference_t=np.array(true, np.float32))
+    monkeypatch.setattr(module, "LARGE_MESH", len(case.trial.mesh.faces) - 1)
     evidence = excludes_most_triangles.decide(case)
     assert evidence.forfeits == bool(words)
     assert [words in each.message for each in evidence.examples] == [True] * bool(words)
+    # Where all faces can be tested in time, other checks say what is wrong with the hits.
+    monkeypatch.setattr(module, "LARGE_MESH", len(case.trial.mesh.faces))
+    assert not excludes_most_triangles.decide(case).examples
 
 
 def test_measured_seconds_are_not_told() -> None:
