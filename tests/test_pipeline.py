@@ -141,7 +141,7 @@ def test_what_compiling_took_is_known_where_time_is_blamed(
         return budget_of(limits, options, elapsed, compiling)
 
     monkeypatch.setattr(pipeline, "budget_of", noted)
-    monkeypatch.setattr("grader.build.compile.recalled", lambda _: None)
+    monkeypatch.setattr("grader.build.compiling.recalled", lambda _: None)
     graded(reference_source(), "bvh.is-readable")
     ((elapsed, compiling),) = told
     assert 0.0 < compiling < 2 * elapsed
