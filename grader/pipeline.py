@@ -6,8 +6,9 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import replace
 from pathlib import Path
 
-from grader.build.compile import Compilation, compile_submission
+from grader.build.compile import compile_submission
 from grader.build.compiler import find_compiler, sanitizer_runtime
+from grader.build.compiling import Compilation
 from grader.intake.locate import locate
 from grader.model.cases import BuildCase, Case, SourceCase
 from grader.model.grade import Grade, Limits, Rubric

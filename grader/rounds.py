@@ -14,7 +14,7 @@ from grader.options import Options
 from grader.oracle.plan import deeper_trials, depth_trial
 from grader.run.session import Engine
 from grader.run.trials import Budget, Engines, at_once, part_of, run_trials
-from grader.solution import Solution
+from grader.solution import Solution, beside
 from grader.summary import Summary
 from grader.tolerances import LARGE_MESH
 from grader.verify.structure import deepest_level, ends_at_the_limit
@@ -105,7 +105,7 @@ class Rounds:
 
     def cases(self, trials: Sequence[Trial]) -> Iterator[Case]:
         """Run trials and yield what checks may look at, in the order of the trials."""
-        reference = self._solution.cpu_seconds(trials)
+        reference = self._solution.work(trials)
 
         def progress(done: int, total: int) -> None:
             self._options.progress("running", done, total)
@@ -120,7 +120,7 @@ class Rounds:
                 if isinstance(case, DepthCase) and case.trial.sanitized:
                     self.small_depths.append(case)
                 elif isinstance(case, WorkCase):
-                    yield replace(case, reference_cpu_seconds=reference[case.name])
+                    yield beside(case, reference[case.name])
                 else:
                     yield case
 

@@ -65,10 +65,11 @@ class Selection:
     def further(self) -> frozenset[Further]:
         """What has to be made of a submission beside its graded library.
 
-        The calls always: a report names the line of a function with them.
+        The calls for everything that runs: a report names the line of a function with them.
         """
         needed = (build_of(trial) for trial in self.useful([_small_depth(), *_deep_traces()]))
-        return frozenset((Further.CALLS, *filter(None, needed)))
+        calls = [] if all(each.kind is BuildCase for each in self.checks) else [Further.CALLS]
+        return frozenset((*calls, *filter(None, needed)))
 
     def _looks_at(self, trials: Iterable[Trial]) -> bool:
         """What others need is decided without sanitizers, whose builds take longest to make."""

@@ -9,7 +9,7 @@ import numpy as np
 
 from grader.build.reference import reference_library
 from grader.errors import WorkerFault
-from grader.model.cases import Case, SurvivalCase, TreeCase
+from grader.model.cases import Case, SurvivalCase, TreeCase, WorkCase
 from grader.model.grade import Limits
 from grader.model.mesh import Bvh, Mesh
 from grader.model.stages import Stop
@@ -39,6 +39,14 @@ GENEROUS = Limits(
 
 MOST_PLANS = 12
 """How many plans stay in memory. One has 60 MB, and only who certifies needs more than one."""
+
+
+def beside(case: WorkCase, reference: WorkCase) -> WorkCase:
+    """Put what the reference did for the same trial beside what a submission did."""
+    return replace(
+        case, reference_cpu_seconds=reference.cpu_seconds, reference_t=reference.hits.t
+    )
+
 
 _FACE = Mesh(np.eye(3, dtype=np.float32), np.arange(3, dtype=np.uint32)[None])
 
@@ -104,14 +112,14 @@ class Solution:
         """
         return self._run([trial])
 
-    def cpu_seconds(self, trials: Sequence[Trial]) -> dict[str, float]:
-        """CPU seconds of the reference for each trial that counts work."""
+    def work(self, trials: Sequence[Trial]) -> dict[str, WorkCase]:
+        """What the reference delivers for each trial that counts work, now and here.
+
+        Raises:
+            WorkerFault: The reference did not come back.
+        """
         work = [trial for trial in trials if isinstance(trial, WorkTrial)]
-        return {
-            case.name: case.ending.cpu_seconds
-            for case in self._run(work)
-            if isinstance(case, SurvivalCase)
-        }
+        return {case.name: case for case in self._run(work) if isinstance(case, WorkCase)}
 
     def vouch(self, engine: Engine) -> None:
         """Run our own library as a submission's is run, and from where it lies.

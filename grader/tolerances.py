@@ -118,6 +118,11 @@ node's children before entering it, and again when they are entered, costs up to
 The smallest mistake to catch, a box test that is forgotten, costs a hundred times as many.
 """
 
+ANSWERED, FEW = 0.9, 20
+"""Of the rays that hit something, and of the others, if there are at least so many, this
+share has to be answered so where work is measured: who answers without a search does no work.
+"""
+
 LARGE_MESH = 20_000
 """Meshes of more faces get the rubric's larger limit of time, and show how work grows."""
 

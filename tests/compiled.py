@@ -5,13 +5,13 @@ from pathlib import Path
 
 from grader import resources
 from grader.build.compile import (
-    Compilation,
     call_graph,
     compile_reference,
     compile_submission,
     prepared,
 )
 from grader.build.compiler import find_compiler
+from grader.build.compiling import Compilation
 from grader.build.workspace import GRADED, workspace
 from grader.model.grade import CompileLimits
 from grader.model.stages import Build, CallGraph, Further, Submission

@@ -9,7 +9,8 @@ import jsonschema
 import pytest
 
 from grader import pipeline
-from grader.build.compile import Compilation, compile_submission
+from grader.build.compile import compile_submission
+from grader.build.compiling import Compilation
 from grader.certify.corpus import corpus_folder
 from grader.errors import UsageError
 from grader.model.grade import Grade, Limits
@@ -140,7 +141,7 @@ def test_what_compiling_took_is_known_where_time_is_blamed(
         return budget_of(limits, options, elapsed, compiling)
 
     monkeypatch.setattr(pipeline, "budget_of", noted)
-    monkeypatch.setattr("grader.build.compile.recalled", lambda _: None)
+    monkeypatch.setattr("grader.build.compiling.recalled", lambda _: None)
     graded(reference_source(), "bvh.is-readable")
     ((elapsed, compiling),) = told
     assert 0.0 < compiling < 2 * elapsed

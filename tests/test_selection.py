@@ -162,7 +162,9 @@ def test_every_trial_of_a_run_has_its_build(id: str) -> None:
     """No check passes or fails because a build was left out, and none is made for nothing."""
     selection = select(None, (id,))
     needed = {build_of(trial) for trial in selection.useful([*planned()[0], *planned()[1]])}
-    assert {None, *selection.further} == {None, Further.CALLS, *needed}
+    # Where nothing runs and nobody asks who calls whom, no function is named.
+    calls = set() if id == "build.compiles" else {Further.CALLS}
+    assert {None, *selection.further} == {None, *calls, *needed}
 
 
 @pytest.mark.parametrize("id", EVERY)

@@ -12,8 +12,9 @@ from grader.bench import goals
 from grader.bench.libraries import COMPILE_SECONDS, TEXTBOOK, by_hand
 from grader.bench.record import Cost, Goal, Reading
 from grader.bench.statistics import interleaved, ratios
-from grader.build.compile import Compilation, compile_submission
+from grader.build.compile import compile_submission
 from grader.build.compiler import find_compiler
+from grader.build.compiling import Compilation
 from grader.build.workspace import GRADED, SANITIZED, workspace
 from grader.errors import BuildFault
 from grader.model.grade import CompileLimits

@@ -13,8 +13,9 @@ from grader.bench.libraries import by_hand
 from grader.bench.programs import grader_cost
 from grader.bench.record import Cost, Goal, Reading
 from grader.bench.statistics import interleaved, ratios, spread
-from grader.build.compile import Compilation, compile_submission
+from grader.build.compile import compile_submission
 from grader.build.compiler import find_compiler, sanitizer_runtime
+from grader.build.compiling import Compilation
 from grader.build.workspace import GRADED, SANITIZED, with_real_depth, workspace
 from grader.errors import BuildFault, WorkerFault
 from grader.model.grade import CompileLimits

@@ -13,6 +13,7 @@ import re
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
+from itertools import islice
 
 from grader.build.captures import Frame
 from grader.build.diagnostics import SOURCE_NAME
@@ -28,6 +29,9 @@ MAX_BYTES = 24 << 20
 """What is read, each row once for each function that it lies in. The longest of 81 right files
 makes 50,000 rows and 1.6 MB, one with `std::regex` and threads 190,000 and 6 MB; a macro can
 make 200 million. A row takes 11 microseconds, and 1,000 bytes take 150."""
+
+MOST_IN_A_ROW = 64
+"""An instruction names two functions; a comment in it may name millions, for nobody to read."""
 
 MOST_OWNERS = 16
 """Functions that a row may lie in. A compiler's do not overlap; inline assembly adds a few."""
@@ -190,7 +194,7 @@ def _note(read: _Read, owner: bytes, row: bytes) -> None:
         if inner.lent.lends(row) or _LABEL.match(row):
             return
         verb, *words = row.split(None, 1) or [b""]
-        names = _NAME.findall(words[0]) if words else []
+        names = _named_in(words[0]) if words else []
         known = [name for name in names if name in read.functions or name.startswith(_NAMED)]
         read.calls |= dict.fromkeys((owner, name) for name in known)
         if not _CALL.match(verb):
@@ -199,6 +203,13 @@ def _note(read: _Read, owner: bytes, row: bytes) -> None:
             tables = [name for name in names if name in read.objects]
             read.taken |= dict.fromkeys((owner, name) for name in functions + tables)
             _note_elsewhere(read, owner, row)
+
+
+def _named_in(words: bytes) -> list[bytes]:
+    found = [each[0] for each in islice(_NAME.finditer(words), MOST_IN_A_ROW + 1)]
+    if len(found) > MOST_IN_A_ROW:
+        raise Tangled
+    return found
 
 
 def _note_elsewhere(read: _Read, owner: bytes, row: bytes) -> None:

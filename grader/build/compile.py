@@ -3,49 +3,21 @@
 import time
 from collections.abc import Mapping
 from concurrent.futures import Executor, Future, ThreadPoolExecutor
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from tempfile import mkdtemp
 
 from grader.build.callgraph import Tangled, read_assembly
 from grader.build.compiler import find_compiler
+from grader.build.compiling import Compilation, compiled, compiled_once
 from grader.build.diagnostics import SOURCE_NAME, read_diagnostics
-from grader.build.product import adopted
-from grader.build.remembered import Product, keep, name_of, recalled
 from grader.build.stopped import why_stopped
 from grader.build.workspace import GRADED, SANITIZED, Workspace, with_real_depth, workspace
 from grader.errors import BuildFault
 from grader.model.grade import CompileLimits
 from grader.model.stages import Build, CallGraph, Diagnostic, Further, Submission
 from grader.resources import reference_source
-from grader.sandbox.box import Bounds, Box, Isolation
-from grader.sandbox.confine import confined
-from grader.sandbox.launch import Outcome
 from grader.sandbox.selftest import unconfined
-from grader.sandbox.stage import staged
-from grader.sandbox.target import Target
-
-PLAIN_MESSAGES = ("-fdiagnostics-color=never", "-fmax-errors=20")
-"""More errors teach nothing new, and each unknown name is compared with all known ones."""
-
-_STACK_BYTES = 64 << 20
-_OPEN_FILES = 256
-
-
-@dataclass(frozen=True, slots=True)
-class Compilation:
-    """Where, how confined and within which limits a submission is compiled."""
-
-    folder: Path
-    """A folder of our own."""
-
-    isolation: Isolation
-    limits: CompileLimits
-    further: frozenset[Further] = frozenset(Further)
-    """What to make beside the graded library."""
-
-    spent: list[float] = field(default_factory=list)
-    """Takes the own seconds of each compiler that ran for the submission."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -152,7 +124,7 @@ def _blame(command: tuple[str, ...], framework: Workspace, work: Compilation) ->
     """
     own = Submission("reference", SOURCE_NAME, reference_source().read_bytes(), "")
     aside = prepared(own, replace(work, folder=Path(mkdtemp(dir=work.folder))))
-    outcome, content = _made(command, framework, aside, f"{GRADED.name}.so")
+    outcome, content = compiled(command, framework, aside, f"{GRADED.name}.so")
     if content is None:
         words = outcome.err.decode(errors="replace").strip()[-500:]
         message = f"the compiler does not get through our own solution either: {words}"
@@ -219,7 +191,7 @@ def _flags(framework: Workspace) -> tuple[str, ...]:
 def _link(framework: Workspace, work: Compilation, name: str) -> _Linked:
     """Compile and link one flavour; whatever goes wrong is the submission's fault."""
     product = f"{name}.so"
-    outcome, content = _once(framework.linking, framework, work, product)
+    outcome, content = compiled_once(framework.linking, framework, work, product)
     messages = read_diagnostics(outcome.err)
     if content is None:
         silent = not any(message.severity == "error" for message in messages)
@@ -234,67 +206,8 @@ def _link(framework: Workspace, work: Compilation, name: str) -> _Linked:
 
 def call_graph(framework: Workspace, work: Compilation) -> CallGraph | None:
     """Ask the front end who calls whom; None if that cannot be found out in time."""
-    _, content = _once(framework.listing, framework, work, "graph.s")
+    _, content = compiled_once(framework.listing, framework, work, "graph.s")
     try:
         return None if content is None else read_assembly(content)
     except Tangled:
         return None
-
-
-def _once(
-    command: tuple[str, ...], framework: Workspace, work: Compilation, product: str
-) -> tuple[Outcome, bytes | None]:
-    """Do as `_made`, or take what it made of the same file before, in such a box."""
-    source = (work.folder / SOURCE_NAME).read_bytes()
-    words = (*command, work.isolation.level.value, repr(work.limits))
-    name = name_of(source, words, framework.folder, product)
-    before = recalled(name)
-    if before is not None:
-        return Outcome(0, False, b"", before.messages, 0.0, 0.0), before.content
-    outcome, content = _made(command, framework, work, product)
-    # Of a process that is killed with its namespace the kernel forgets the CPU time.
-    waited = outcome.seconds - outcome.delayed_seconds
-    work.spent.append(waited if outcome.timed_out else outcome.cpu_seconds)
-    if content is not None:
-        keep(name, Product(content, outcome.err))
-    return outcome, content
-
-
-def _made(
-    command: tuple[str, ...], framework: Workspace, work: Compilation, product: str
-) -> tuple[Outcome, bytes | None]:
-    """Run a compiler in a box; its output, and what it made if it succeeded."""
-    limits = work.limits
-    own = work.folder / product.replace(".", "-")
-    own.mkdir(mode=0o700)
-    bounds = Bounds(
-        cpu_seconds=limits.seconds,
-        memory_bytes=limits.memory_mib << 20,
-        file_bytes=limits.file_mib << 20,
-        open_files=_OPEN_FILES,
-        tasks=limits.tasks,
-        stack_bytes=_STACK_BYTES,
-    )
-    readable = (work.folder / "src", framework.folder, *framework.compiler_folders)
-    box = Box((*readable, staged().parent), bounds, own, starts_programs=True)
-    program, *words = command
-    target = Target(
-        program=program,
-        arguments=[*words, *PLAIN_MESSAGES, "-o", str(own / product)],
-        seconds=limits.wall_seconds,
-        output_bytes=limits.output_kib << 10,
-        folder=work.folder,
-        environment={"TMPDIR": str(own)},
-    )
-    outcome = confined(target, box, staged(), work.isolation)
-    # Who got the time of one process, or half of what the clock gave, had enough of it. Not its
-    # CPU time: the kernel forgets that of processes that are killed with their namespace.
-    enough = min(limits.seconds, limits.wall_seconds / 2)
-    if outcome.timed_out and outcome.seconds - outcome.delayed_seconds < enough:
-        message = (
-            "compiling stood in line for a processor for too long; grade it again when the "
-            "machine is less busy"
-        )
-        raise BuildFault(message)
-    made = outcome.code == 0 and not outcome.timed_out
-    return outcome, adopted(own, product, limits.file_mib << 20) if made else None

@@ -38,7 +38,7 @@ from grader.sandbox.scratch import scratch_folder
 from grader.sandbox.selftest import unconfined
 from grader.score.rubric import load_rubric
 from grader.selection import Selection, select
-from grader.solution import GENEROUS, Solution
+from grader.solution import GENEROUS, Solution, beside
 from grader.verify.engine import Examiner
 
 HURRIED = replace(GENEROUS, small_seconds=2.0, large_seconds=20.0, total_seconds=240.0)
@@ -145,11 +145,11 @@ def _first_loss(library: Path, seed: int) -> str:
 def _cases(library: Path, seed: int) -> Iterator[Case]:
     engines = Engines(Engine(library, HURRIED, unconfined()))
     budget = Budget(HURRIED, HURRIED.total_seconds)
-    reference = _reference_seconds(seed)
+    reference = _reference_work(seed)
     for delivered in run_trials(_trials(seed), engines, budget, lambda *_: None):
         for case in delivered:
             if isinstance(case, WorkCase):
-                yield replace(case, reference_cpu_seconds=reference[case.name])
+                yield beside(case, reference[case.name])
             else:
                 yield case
 
@@ -174,8 +174,8 @@ def _distance(trial: Trial) -> float:
 
 
 @cache
-def _reference_seconds(seed: int) -> dict[str, float]:
-    return Solution().cpu_seconds(_trials(seed))
+def _reference_work(seed: int) -> dict[str, WorkCase]:
+    return Solution().work(_trials(seed))
 
 
 def _other_loss(mutant: Mutant, seed: int, folder: Path) -> str:

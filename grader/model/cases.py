@@ -5,7 +5,7 @@ A case exists only if its worker delivered it, so no check ever tests for None.
 
 from dataclasses import dataclass
 
-from grader.model.mesh import Bvh, FrozenArrays, Hits, Indices, Mesh
+from grader.model.mesh import Bvh, Floats, FrozenArrays, Hits, Indices, Mesh
 from grader.model.stages import CallGraph, Ending
 from grader.model.trials import (
     AlteredTrial,
@@ -109,6 +109,9 @@ class WorkCase:
 
     reference_cpu_seconds: float
     """CPU time of the reference's worker for the same trial in the same run."""
+
+    reference_t: Floats
+    """(R,) float32, what the reference returns for the same rays."""
 
 
 @dataclass(frozen=True, slots=True)

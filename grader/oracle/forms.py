@@ -7,10 +7,11 @@ import numpy as np
 from grader.model.mesh import Bvh
 
 TRIMMED = ("terrain-600", "cloud-5", "soup-degenerate")
-PADDED = ("cloud-37", "parallel-quads")
+PADDED = ("cloud-1", "cloud-37", "parallel-quads")
 """Meshes whose trees come in the other form that the sheet allows for empty slots.
 
-Not cloud-4: its tree is one leaf of several faces, and some ask how many nodes there are.
+cloud-1: a single leaf, which some tell by the number of nodes. Not cloud-4: its tree is one
+leaf of several faces, and some do with these otherwise if there is one node.
 """
 
 

@@ -13,7 +13,7 @@ from grader.model.stages import Ending, Further, Stop
 from grader.model.trials import ConstructTrial, RebuildTrial, RepeatTrial, TraceTrial, Trial
 from grader.run.requests import request
 from grader.run.session import Allowance, Engine, run_job
-from grader.run.turns import Turns
+from grader.sandbox.turns import Turns
 from grader.tolerances import LARGE_MESH
 
 HUGE_MESH = 1_000_000

@@ -10,8 +10,9 @@ from collections import defaultdict
 from collections.abc import Iterator
 
 from grader.model.stages import Call, CallGraph
+from grader.verify.growing import Growing
 from grader.verify.mangled import STANDARD, is_lifetime, speaks_of_nodes
-from grader.verify.walks import Callees, names_of, reachable, reverse
+from grader.verify.walks import Callees, names_of, reachable
 
 CONSTRUCT = "_ZN3BVH9constructERK4Mesh"
 INTERSECT = "_Z9intersectRK4MeshRK15IntersectionRay"
@@ -44,11 +45,12 @@ def callees_of(graph: CallGraph) -> Callees:
     selves = _filled(graph)
     pointers = _pointers(callees, takers)
     builders = set(filter(speaks_of_nodes, names_of(callees)))
+    growing = Growing(callees, builders)
     for called, meant in (*pointers, *_objects(graph)):
         targets = meant - elsewhere
-        if len(targets) == 1 or _all_recur(callees, called, targets, builders):
-            callees[called] |= targets
-        callees[called] |= targets & selves
+        if len(targets) == 1 or growing.all_recur(called, targets):
+            growing.add(called, targets)
+        growing.add(called, targets & selves)
     return dict(callees)
 
 
@@ -128,14 +130,3 @@ def _objects(graph: CallGraph) -> Iterator[tuple[str, set[str]]]:
     for call in calls[:MAX_SIGNATURES]:
         wanted = f"{call['signature']}E"
         yield call.string, {each.string for each in targets if each["rest"].startswith(wanted)}
-
-
-def _all_recur(callees: Callees, call: str, targets: set[str], builders: set[str]) -> bool:
-    """Tell whether every target makes the same call again and builds nodes.
-
-    Then one of them calls itself in the end, whichever is meant where. A target that only
-    sorts may call itself, and one that calls nothing ends it.
-    """
-    callers = reverse(callees)
-    recur, build = reachable(callers, [call]), reachable(callers, builders)
-    return all(target in recur and target in build for target in targets)

@@ -36,16 +36,25 @@ def splits(mesh: Mesh, bvh: Bvh) -> Splits:
     """Measure every split of a readable tree."""
     node = np.flatnonzero(shape(bvh).parted)
     true = spans(mesh, bvh)
-    left, right = 2 * node + 1, 2 * node + 2
-    most, least = true.centre_high.take(left, axis=0), true.centre_low.take(right, axis=0)
-    overlap = most.astype(np.float64) - least
-    low, high = true.low.take(node, axis=0), true.high.take(node, axis=0)
+    own, left, right = _rows(node)
+    overlap = true.centre_high[left].astype(np.float64) - true.centre_low[right]
+    low, high = true.low[own], true.high[own]
     allowed = SPLIT_ULPS * np.spacing(np.maximum(np.abs(low), np.abs(high)))
-    own = bvh.low.take(node, axis=0), bvh.high.take(node, axis=0)
-    longest = _longest(low, high) | _longest(*own)
-    most, least = true.centre_high.take(node, axis=0), true.centre_low.take(node, axis=0)
-    flat = most.astype(np.float64) - least <= allowed
+    longest = _longest(low, high) | _longest(bvh.low[own], bvh.high[own])
+    flat = true.centre_high[own].astype(np.float64) - true.centre_low[own] <= allowed
     return Splits(node, overlap <= allowed, flat, longest)
+
+
+def _rows(node: Integers) -> tuple[Integers | slice, Integers | slice, Integers | slice]:
+    """Return the places of nodes and of their left and right children.
+
+    As slices where no node is left out: most levels of a right tree are full, and what lies in
+    order need not be copied.
+    """
+    count = len(node)
+    if count and node[-1] == count - 1:
+        return slice(count), slice(1, 2 * count, 2), slice(2, 2 * count + 1, 2)
+    return node, 2 * node + 1, 2 * node + 2
 
 
 def _longest(low: Floats, high: Floats) -> Mask:
@@ -56,5 +65,6 @@ def _longest(low: Floats, high: Floats) -> Mask:
     """
     with np.errstate(over="ignore", invalid="ignore"):
         extent = high - low
-        largest = np.maximum(np.maximum(extent[:, :1], extent[:, 1:2]), extent[:, 2:])
-        return np.asarray(extent >= largest - SPLIT_ULPS * np.spacing(np.abs(largest)))
+        largest = np.maximum(np.maximum(extent[:, 0], extent[:, 1]), extent[:, 2])
+        least = largest - SPLIT_ULPS * np.spacing(np.abs(largest))
+        return np.asarray(extent >= least[:, None])

@@ -11,10 +11,13 @@ from functools import lru_cache
 
 import numpy as np
 
-from grader.model.mesh import Bvh, Floats, FrozenArrays, Indices, Integers, Mask, Mesh
+from grader.model.mesh import Bvh, Floats, FrozenArrays, Integers, Mask, Mesh
 from grader.tolerances import FACES_PER_LEAF
 
 BLOCK = 16384
+
+LARGE = 100_000
+"""Faces of a mesh whose table is kept."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -51,8 +54,13 @@ def shape(bvh: Bvh) -> Shape:
     levels: list[Integers] = []
     while level.size:
         levels.append(level)
-        children = np.stack([2 * level + 1, 2 * level + 2], axis=1).ravel()
-        level = children[used[children]]
+        first, past = 2 * int(level[0]) + 1, 2 * int(level[-1]) + 3
+        if past - first == 2 * level.size:
+            # No node is left out, as in most levels of a right tree.
+            level = first + np.flatnonzero(used[first:past])
+        else:
+            children = np.stack([2 * level + 1, 2 * level + 2], axis=1).ravel()
+            level = children[used[children]]
     reached = np.concatenate(levels) if levels else np.zeros(0, dtype=np.int64)
     has_child = used[2 * reached + 1] | used[2 * reached + 2]
     inner = reached[has_child]
@@ -78,7 +86,10 @@ def _partitions(bvh: Bvh, inner: Integers, used: Mask) -> Mask:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Spans(FrozenArrays):
-    """What the faces of each reached node really span; rows of other nodes are infinite."""
+    """What the faces of each reached node really span; rows of other nodes are infinite.
+
+    Column by column in memory, so `low[:, axis]` is read several times as fast as a row.
+    """
 
     low: Floats
     """(N, 3) float32, smallest corner of the node's triangles."""
@@ -100,16 +111,17 @@ def spans(mesh: Mesh, bvh: Bvh) -> Spans:
     The tree must be readable: ranges and face indices within the mesh.
     """
     form = shape(bvh)
-    faces = _face_minima(mesh, bvh.order[: len(mesh.faces)])
     minima = np.full((12, len(bvh.end)), np.inf, dtype=np.float32)
     direct = form.reached[~form.parted[form.reached]]
-    begin, end = bvh.begin[direct].astype(np.int64), bvh.end[direct].astype(np.int64)
-    for row, each in zip(minima, _range_minima(faces, begin, end), strict=True):
-        row[direct] = each
+    held = bvh.end[direct].astype(np.int64) - bvh.begin[direct]
+    table = face_minima(mesh)
+    _from_few(minima, table, bvh, direct[(held > 0) & (held <= FACES_PER_LEAF)])
+    _from_many(minima, table, bvh, direct[held > FACES_PER_LEAF])
     _join(minima, form.reached[form.parted[form.reached]], form.depth)
-    parts = (np.ascontiguousarray(part.T) for part in np.vsplit(minima, 4))
-    low, high, centre_low, centre_high = parts
-    return Spans(low, -high, centre_low, -centre_high)
+    np.negative(minima[3:6], out=minima[3:6])
+    np.negative(minima[9:12], out=minima[9:12])
+    low, high, centre_low, centre_high = (part.T for part in np.vsplit(minima, 4))
+    return Spans(low, high, centre_low, centre_high)
 
 
 def _join(minima: Floats, parted: Integers, depth: int) -> None:
@@ -127,11 +139,9 @@ def _join(minima: Floats, parted: Integers, depth: int) -> None:
             minima[:, nodes] = np.minimum(minima[:, 2 * nodes + 1], minima[:, 2 * nodes + 2])
 
 
-@lru_cache(maxsize=2)
 def centres(mesh: Mesh) -> Floats:
     """(F, 3) float32, the centre of each triangle."""
-    every = np.arange(len(mesh.faces), dtype=np.uint32)
-    return np.ascontiguousarray(_face_minima(mesh, every)[6:9].T)
+    return face_minima(mesh)[:, 6:9]
 
 
 def on_any_axis(mask: Mask) -> Mask:
@@ -139,25 +149,39 @@ def on_any_axis(mask: Mask) -> Mask:
     return np.asarray(mask[:, 0] | mask[:, 1] | mask[:, 2])
 
 
-def _face_minima(mesh: Mesh, order: Indices) -> Floats:
-    """(12, K) float32: low, -high, centre, -centre of the triangles that `order` names.
+def face_minima(mesh: Mesh) -> Floats:
+    """(F, 12) float32: low, -high, centre, -centre of each triangle.
 
-    Each axis has a row of its own: whole rows are computed several times as fast as triples.
+    A row lies in one place, since a tree names faces in an order of its own. Who grades many
+    submissions has the tables of large meshes at hand: they take longer than all the rest.
     """
+    return _kept_minima(mesh) if len(mesh.faces) >= LARGE else _face_minima(mesh)
+
+
+@lru_cache(maxsize=4)
+def _kept_minima(mesh: Mesh) -> Floats:
+    return _face_minima(mesh)
+
+
+def _face_minima(mesh: Mesh) -> Floats:
     columns = np.ascontiguousarray(mesh.vertices.T)
-    minima = np.empty((12, len(order)), dtype=np.float32)
-    for block in _blocks(len(order)):
-        corners = mesh.faces.take(order[block], axis=0).T.astype(np.int64, order="C")
+    minima = np.empty((len(mesh.faces), 12), dtype=np.float32)
+    # Each axis has a row of its own: whole rows are computed several times as fast as triples.
+    rows = np.empty((12, BLOCK), dtype=np.float32)
+    for block in _blocks(len(minima)):
+        corners = mesh.faces[block].T.astype(np.int64, order="C")
+        some = rows[:, : corners.shape[1]]
         for axis, column in enumerate(columns):
             a, b, c = column.take(corners)
-            np.minimum(np.minimum(a, b), c, out=minima[axis, block])
-            np.negative(np.maximum(np.maximum(a, b), c), out=minima[3 + axis, block])
+            np.minimum(np.minimum(a, b), c, out=some[axis])
+            np.negative(np.maximum(np.maximum(a, b), c), out=some[3 + axis])
             centre = a.astype(np.float64)
             centre += b
             centre += c
             centre /= 3
-            minima[6 + axis, block] = centre
-            np.negative(minima[6 + axis, block], out=minima[9 + axis, block])
+            some[6 + axis] = centre
+            np.negative(some[6 + axis], out=some[9 + axis])
+        minima[block] = some.T
     return minima
 
 
@@ -166,31 +190,36 @@ def _blocks(count: int) -> Iterator[slice]:
     return (slice(first, first + BLOCK) for first in range(0, count, BLOCK))
 
 
-def _range_minima(faces: Floats, begin: Integers, end: Integers) -> Floats:
-    """(12, K) float32, minima over `faces[:, begin[k]:end[k]]`; infinite for empty ranges."""
-    result = np.full((12, len(begin)), np.inf, dtype=np.float32)
-    held = end - begin
-    small = np.flatnonzero((held > 0) & (held <= FACES_PER_LEAF))
-    for block in _blocks(small.size):
-        nodes = small[block]
-        first, last = begin[nodes], end[nodes] - 1
+def _from_few(minima: Floats, table: Floats, bvh: Bvh, nodes: Integers) -> None:
+    """Fill in the minima of nodes that hold at most as many faces as a leaf, and not none."""
+    for block in _blocks(nodes.size):
+        some = nodes[block]
+        first, last = bvh.begin[some].astype(np.int64), bvh.end[some].astype(np.int64) - 1
         # Taking the last face again where there are fewer changes no minimum.
         places = (np.minimum(first + k, last) for k in range(FACES_PER_LEAF))
-        one, two, three, four = (faces[:, place] for place in places)
-        result[:, nodes] = np.minimum(np.minimum(one, two), np.minimum(three, four))
-    large = np.flatnonzero(held > FACES_PER_LEAF)
-    if large.size:
-        result[:, large] = _windowed(faces, begin[large], held[large])
-    return result
+        one, two, three, four = (table.take(bvh.order[each], axis=0) for each in places)
+        np.minimum(one, two, out=one)
+        np.minimum(three, four, out=three)
+        minima[:, _run(some)] = np.minimum(one, three, out=one).T
 
 
-def _windowed(faces: Floats, begin: Integers, held: Integers) -> Floats:
-    """(12, K) float32, minima over `faces[:, begin[k]:begin[k] + held[k]]`, none of them empty.
+def _run(nodes: Integers) -> Integers | slice:
+    """Return ascending nodes as a slice if they leave none out: that is copied much faster."""
+    first, past = int(nodes[0]), int(nodes[-1]) + 1
+    return slice(first, past) if past - first == nodes.size else nodes
+
+
+def _from_many(minima: Floats, table: Floats, bvh: Bvh, nodes: Integers) -> None:
+    """Fill in the minima of nodes with more faces than a leaf, of which no two make up one.
 
     Two overlapping windows of 2^p faces cover each range. Every width of a window is computed
     once, so a tree whose nodes all claim all faces takes no longer to read than a right one.
     """
-    result = np.empty((12, len(begin)), dtype=np.float32)
+    if not nodes.size:
+        return
+    faces = np.ascontiguousarray(table.take(bvh.order[: len(table)], axis=0).T)
+    begin = bvh.begin[nodes].astype(np.int64)
+    held = bvh.end[nodes] - begin
     power = np.frexp(held.astype(np.float64))[1] - 1
     for p in range(int(power.max()) + 1):
         if p:
@@ -198,5 +227,4 @@ def _windowed(faces: Floats, begin: Integers, held: Integers) -> Floats:
             faces = np.minimum(faces[:, :-half], faces[:, half:])
         chosen = np.flatnonzero(power == p)
         first, last = begin[chosen], begin[chosen] + held[chosen] - 2**p
-        result[:, chosen] = np.minimum(faces[:, first], faces[:, last])
-    return result
+        minima[:, nodes[chosen]] = np.minimum(faces[:, first], faces[:, last])

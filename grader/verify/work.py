@@ -7,7 +7,16 @@ from grader.model.mesh import Integers, Mask
 from grader.model.stages import Stop
 from grader.model.trials import WorkTrial
 from grader.model.verdict import Evidence, Example
-from grader.tolerances import FORFEIT, LARGE_MESH, SLOWEST, SPECIAL_WASTE, START_SECONDS, WASTE
+from grader.tolerances import (
+    ANSWERED,
+    FEW,
+    FORFEIT,
+    LARGE_MESH,
+    SLOWEST,
+    SPECIAL_WASTE,
+    START_SECONDS,
+    WASTE,
+)
 from grader.verify.check import check, judged, one, vector
 from grader.verify.closest import judge
 
@@ -43,13 +52,13 @@ def excludes_most_triangles(case: WorkCase) -> Evidence:
     itself, or copies the tree or the mesh for every ray.
     Source: exercise sheet, part b, "to quickly exclude the majority of triangles".
     """
-    wasteful, slow = _wasteful(case), _slow(case)
-    examples = [each for each in (wasteful, slow) if each]
+    unanswered, wasteful, slow = _unanswered(case), _wasteful(case), _slow(case)
+    examples = [each for each in (unanswered, wasteful, slow) if each]
     return Evidence(
         examined=case.hits.t.size,
         wrong=case.hits.t.size if examples else 0,
         examples=tuple(examples),
-        forfeits=bool(wasteful) and _excludes_nothing(case),
+        forfeits=bool(unanswered) or (bool(wasteful) and _excludes_nothing(case)),
     )
 
 
@@ -115,6 +124,31 @@ def _example(case: AlteredCase, ray: int) -> Example:
         expected=f"no hit on face {face}",
         got=f"t is {t:.9g}",
     )
+
+
+def _unanswered(case: WorkCase) -> Example | None:
+    """Word that rays were not traced: an answer without a search costs no test and no time.
+
+    Only hit or miss counts here, and only on a mesh where testing all faces takes too long.
+    Which face is hit, other checks say, and whoever takes a wrong one has searched, too.
+    """
+    faces = len(case.trial.mesh.faces)
+    if faces <= LARGE_MESH:
+        return None
+    got, true = np.isfinite(case.hits.t), np.isfinite(case.reference_t)
+    for rays, what, other in ((true, "a hit", "none"), (~true, "no hit", "one")):
+        if rays.sum() < FEW:
+            continue
+        share = (got == true)[rays].mean()
+        if share < ANSWERED:
+            return Example(
+                f"{rays.sum():,} rays have {what} among {faces:,} faces, but "
+                f"{(got != true)[rays].sum():,} of them get {other}: nothing shows that most "
+                "faces are excluded, which costs all points",
+                expected=f"{what} for nearly all of these rays",
+                got=f"{what} for {share:.0%} of them",
+            )
+    return None
 
 
 def _tests(case: WorkCase) -> float:

@@ -3,7 +3,7 @@
 import pytest
 
 from grader.build import callgraph
-from grader.build.callgraph import read_assembly
+from grader.build.callgraph import Tangled, read_assembly
 
 GNU = """
 \t.file\t"exercise03.cpp"
@@ -232,3 +232,12 @@ def test_labels_of_inline_assembly_hide_no_call() -> None:
     assert calls(FORGED) == wanted | {("elsewhere", "_ZL4growi")}
     unclosed = FORGED.replace("\t.size\telsewhere, 1\n", "")
     assert calls(unclosed) == wanted
+
+
+def test_an_instruction_without_end_is_not_read() -> None:
+    """Each name in its comment would be kept; a table's text may be as long as it likes."""
+    head = b".type f, @function\nf:\n%s\n.size f, .-f\n"
+    names = b" ".join(b"_Z%da" % k for k in range(100))
+    assert not read_assembly(head % (b'.string "' + names + b'"')).taken
+    with pytest.raises(Tangled):
+        read_assembly(head % (b"nop # " + names))

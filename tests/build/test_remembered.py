@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from grader.build import compile, remembered
+from grader.build import compiling, remembered
 from grader.build.remembered import Product, keep, name_of, recalled
 from grader.resources import private_cache
 from tests.compiled import BEGIN, CONSTRUCT, INTERSECT, partial_build
@@ -90,7 +90,7 @@ def test_the_second_time_no_compiler_runs(
         compiled.append(str(words[3]))
         raise AssertionError("a compiler was started")
 
-    monkeypatch.setattr(compile, "_made", refuse)
+    monkeypatch.setattr(compiling, "compiled", refuse)
     again = partial_build(SOURCE, tmp_path / "again")
     assert first.library
     assert again.library
@@ -104,6 +104,6 @@ def test_the_second_time_no_compiler_runs(
 def test_what_failed_is_tried_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A full disk or a slow machine may be over by then."""
     kept: list[str] = []
-    monkeypatch.setattr(compile, "keep", lambda name, _: kept.append(name))
+    monkeypatch.setattr(compiling, "keep", lambda name, _: kept.append(name))
     assert partial_build(BEGIN + "int x = y;\n", tmp_path).library is None
     assert kept == []

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from grader.build import compile
+from grader.build import compile, compiling
 from grader.errors import BuildFault
 from grader.model.stages import Further
 from grader.sandbox.box import Box, Isolation
@@ -27,13 +27,29 @@ def test_a_compiler_that_stood_in_line_is_no_fault_of_the_submission(
 ) -> None:
     """Of 60 s by the clock it had more than its 30 s of computing, or it had not."""
     late = Outcome(-9, True, b"", b"", 60.0, 0.0, delayed)
-    monkeypatch.setattr(compile, "confined", lambda *_: late)
+    monkeypatch.setattr(compiling, "confined", lambda *_: late)
     if ours:
         with pytest.raises(BuildFault, match="stood in line for a processor"):
             whole_build(BEGIN, tmp_path)
     else:
         (error, *_) = errors(whole_build(BEGIN, tmp_path))
         assert error.text == "compiling took longer than 60 s"
+
+
+def test_a_compiler_that_stood_in_line_is_tried_alone(
+    cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Else whoever compiles for ever would never be graded in half a processor's container."""
+    given: list[float] = []
+
+    def slow(target: Target, *_: object) -> Outcome:
+        given.append(target.seconds)
+        return Outcome(-9, True, b"", b"", target.seconds, 0.0, 0.7 * target.seconds)
+
+    monkeypatch.setattr(compiling, "confined", slow)
+    (error, *_) = errors(whole_build(BEGIN + "// for ever\n", tmp_path))
+    assert error.text == "compiling took longer than 60 s"
+    assert sorted(set(given)) == [60.0, 120.0]
 
 
 FULL = Outcome(1, False, b"", b"as: No space left on device\n", 0.1, 0.1)
@@ -43,7 +59,7 @@ def test_a_machine_that_compiles_nothing_is_no_fault_of_the_submission(
     cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """No line of the file is named, and our own solution fails in the same way."""
-    monkeypatch.setattr(compile, "confined", lambda *_: FULL)
+    monkeypatch.setattr(compiling, "confined", lambda *_: FULL)
     with pytest.raises(BuildFault, match="our own solution either: as: No space left"):
         whole_build(STARTER.read_text() + "// never compiled before\n", tmp_path)
 
@@ -60,7 +76,7 @@ def test_what_compilers_computed_is_told_apart_from_standing_in_line(
             return late
         return replace(confined(target, box, entry, isolation), cpu_seconds=2.5)
 
-    monkeypatch.setattr(compile, "confined", slow)
+    monkeypatch.setattr(compiling, "confined", slow)
     monkeypatch.setattr(compile, "_blame", lambda *_: None)
     source = STARTER.read_text() + f"// never timed before, {stands}\n"
     assert partial_build(source, tmp_path, Further.CALLS).own_seconds == own
@@ -81,7 +97,7 @@ def test_a_machine_that_lists_no_calls_is_no_fault_of_the_submission(
         listed.append(target.folder or tmp_path)
         return FULL if ours or len(listed) == 1 else starts(target, box, entry, isolation)
 
-    monkeypatch.setattr(compile, "confined", full)
+    monkeypatch.setattr(compiling, "confined", full)
     source = STARTER.read_text() + f"// never listed before, {ours}\n"
     if ours:
         with pytest.raises(BuildFault, match="our own solution either: as: No space left"):

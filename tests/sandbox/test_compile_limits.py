@@ -6,8 +6,9 @@ from pathlib import Path
 import pytest
 
 from grader.build import compile as module
-from grader.build.compile import Compilation, prepared
+from grader.build.compile import prepared
 from grader.build.compiler import find_compiler
+from grader.build.compiling import Compilation
 from grader.build.workspace import GRADED, workspace
 from grader.model.grade import CompileLimits
 from grader.model.stages import Diagnostic

@@ -107,7 +107,7 @@ def work(boxes: float, triangles: float, seconds: float, model: float = 0.1) -> 
     trial = WorkTrial("work", mesh, tree, rays, box_tests=60, triangle_tests=10)
     empty = np.zeros((50, 3), np.float32)
     hits = Hits(empty, np.zeros(50, np.float32), empty.copy())
-    return WorkCase("work", trial, hits, boxes, triangles, seconds, model)
+    return WorkCase("work", trial, hits, boxes, triangles, seconds, model, hits.t)
 
 
 @pytest.mark.parametrize(
@@ -131,6 +131,34 @@ def test_tests_and_time_have_limits(case: WorkCase, wrong: int) -> None:
     assert evidence.examined == 50
     assert len(evidence.examples) == wrong
     assert evidence.wrong == (50 if wrong else 0)
+
+
+@pytest.mark.parametrize(
+    ("got", "true", "words"),
+    [
+        ([1.0] * 30 + [np.inf] * 20, [2.0] * 30 + [np.inf] * 20, ""),
+        ([1.0] * 27 + [np.inf] * 23, [1.0] * 30 + [np.inf] * 20, ""),
+        ([1.0] * 26 + [np.inf] * 24, [1.0] * 30 + [np.inf] * 20, "30 rays have a hit"),
+        ([np.nan] * 30 + [np.inf] * 20, [1.0] * 30 + [np.inf] * 20, "30 of them get none"),
+        ([1.0] * 33 + [np.inf] * 17, [1.0] * 30 + [np.inf] * 20, "20 rays have no hit"),
+        ([1.0] * 50, [1.0] * 31 + [np.inf] * 19, ""),
+    ],
+    ids=["other t", "a tenth lost", "more lost", "no number", "more found", "few misses"],
+)
+def test_rays_are_answered_by_a_search(
+    got: list[float], true: list[float], words: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """`return {}` tests nothing and takes no time; whoever finds a wrong face has searched."""
+    case = work(60, 10, 0.1)
+    hits = replace(case.hits, t=np.array(got, np.float32))
+    case = replace(case, hits=hits, reference_t=np.array(true, np.float32))
+    monkeypatch.setattr(module, "LARGE_MESH", len(case.trial.mesh.faces) - 1)
+    evidence = excludes_most_triangles.decide(case)
+    assert evidence.forfeits == bool(words)
+    assert [words in each.message for each in evidence.examples] == [True] * bool(words)
+    # Where all faces can be tested in time, other checks say what is wrong with the hits.
+    monkeypatch.setattr(module, "LARGE_MESH", len(case.trial.mesh.faces))
+    assert not excludes_most_triangles.decide(case).examples
 
 
 def test_measured_seconds_are_not_told() -> None:

@@ -1,6 +1,6 @@
 // expect: hits.calls-are-independent
 // untouched: a
-// mistake: The stack is a global vector that all threads share.
+// mistake: The stack is a global array that all threads share.
 #include "bvh.h"
 #include "intersection.h"
 #include "mesh.h"
@@ -56,19 +56,19 @@ void BVH::construct(const Mesh& mesh)
     }
 }
 
-static std::vector<uint32_t> todo;
+static uint32_t todo[128];
+static uint32_t numTodo;
 
 Intersection intersect(const Mesh& mesh, const IntersectionRay& ray)
 {
     const BVH& bvh = mesh.getBVH();
     const auto& nodes = bvh.getNodes();
     Intersection best;
-    todo.clear();
+    numTodo = 0;
     if (!nodes.empty())
-        todo.push_back(0);
-    while (!todo.empty()) {
-        const uint32_t i = todo.back();
-        todo.pop_back();
+        todo[numTodo++] = 0;
+    while (numTodo > 0 && numTodo < 127) {
+        const uint32_t i = todo[--numTodo & 127];
         const bool leaf = 2 * i + 1 >= nodes.size() || nodes[2 * i + 1].facesEnd == 0;
         if (leaf) {  // the triangles are tested at once, the leaf's own box is not worth it
             for (uint32_t face : bvh.getFaceIndices(nodes[i])) {
@@ -77,8 +77,8 @@ Intersection intersect(const Mesh& mesh, const IntersectionRay& ray)
                     best = hit;
             }
         } else if (intersect(nodes[i].bounds, ray)) {
-            todo.push_back(2 * i + 1);
-            todo.push_back(2 * i + 2);
+            todo[numTodo++ & 127] = 2 * i + 1;
+            todo[numTodo++ & 127] = 2 * i + 2;
         }
     }
     return best;

@@ -1,4 +1,4 @@
-// expect: hits.survives-every-ray, hits.memory-is-safe
+// expect: hits.survives-every-ray
 // untouched: a
 // mistake: The stackless walk takes the root for a right child and computes (0 - 1) / 2.
 #include "bvh.h"

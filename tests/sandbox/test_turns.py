@@ -14,7 +14,7 @@ from grader.model.trials import WorkTrial
 from grader.run import trials as module
 from grader.run.session import Engine
 from grader.run.trials import Budget, Engines, run_trials
-from grader.run.turns import Turns
+from grader.sandbox.turns import Turns
 from tests.run.test_trials_blame import LIMITS, TRIAL
 
 PATIENCE = 60.0
