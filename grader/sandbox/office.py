@@ -150,9 +150,14 @@ class Office:
             self._lost(dead, "it ended")
         clerk = next((one for one in self._clerks if one.ticket < 0), None) or self._hired()
         clerk.ticket, clerk.deadline = ticket, time.monotonic() + self._seconds
+        # A new one reads nothing before it has imported all that it needs, which takes its time
+        # on a busy machine.
+        clerk.desk.settimeout(self._seconds)
         with suppress(OSError):
             # One that is dead is seen by its socket, as one that dies later is.
             post(clerk.desk, order)
+        # From now on one that stops in the middle of a letter would stop us all.
+        clerk.desk.settimeout(PATIENCE_SECONDS)
 
     def news(self) -> Iterator[News]:
         """Wait until something happens, and tell it."""
@@ -169,8 +174,6 @@ class Office:
         words = tempfile.TemporaryFile(dir=self._folder)  # noqa: SIM115 - as long as the clerk
         with theirs:
             child = _started(self._entry, theirs.fileno(), words, self._folder)
-        # One that stops in the middle of a letter would stop us all.
-        ours.settimeout(PATIENCE_SECONDS)
         clerk = _Clerk(child, ours, words)
         self._clerks.append(clerk)
         self._selector.register(ours, selectors.EVENT_READ, clerk)

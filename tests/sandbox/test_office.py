@@ -3,6 +3,8 @@
 import os
 import signal
 
+import pytest
+
 from grader.sandbox.office import Done, Gone, News, Office
 
 
@@ -34,3 +36,13 @@ def test_a_clerk_that_died_without_an_order_costs_none() -> None:
         assert second.ticket == 2
         office.give(3, "die")
         assert isinstance(told(office), Gone)
+
+
+def test_a_clerk_that_is_still_starting_gets_its_first_order(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """What no buffer holds waits for it longer than a letter of a running one may take."""
+    monkeypatch.setattr("grader.sandbox.office.PATIENCE_SECONDS", 0.05)
+    with Office(f"{__name__}:answer", 1, 60.0) as office:
+        office.give(1, "x" * (4 << 20))
+        assert isinstance(told(office), Done)
