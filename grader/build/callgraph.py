@@ -54,6 +54,14 @@ _ELSEWHERE_ARM = re.compile(rb":got:([a-z]\w{0,80}|_Z(?:n[wa]|d[la])\w{1,20})\b"
 _NAMED = (b"_Z", b"ex03_")
 """How functions begin that lie elsewhere and may lead back: of C++, and our own door."""
 
+_CALLING_BACK = {
+    *(b"qsort", b"bsearch", b"lfind", b"lsearch", b"twalk", b"tsearch", b"tfind"),
+    *(b"pthread_create", b"pthread_once", b"thrd_create", b"call_once", b"makecontext"),
+    *(b"atexit", b"on_exit", b"at_quick_exit", b"__cxa_atexit", b"__cxa_thread_atexit"),
+    *(b"qsort_r", b"signal", b"sigaction", b"raise", b"clone"),
+}
+"""Functions of C that call what they are given."""
+
 _OF_THE_LIBRARY = (b"_ZNSt", b"_ZSt", b"_ZNKSt")
 _DATA = {b"stdin", b"stdout", b"stderr", b"environ"}
 _TABLE = re.compile(rb"^\.(?:quad|xword|8byte)\s+([\w.$\x80-\xff]{1,4096})")
@@ -196,13 +204,18 @@ def _note(read: _Read, owner: bytes, row: bytes) -> None:
         verb, *words = row.split(None, 1) or [b""]
         names = _named_in(words[0]) if words else []
         known = [name for name in names if name in read.functions or name.startswith(_NAMED)]
-        read.calls |= dict.fromkeys((owner, name) for name in known)
-        if not _CALL.match(verb):
-            functions = [name for name in known if name in read.functions]
-            read.calls |= dict.fromkeys((ANYTHING, name) for name in functions)
-            tables = [name for name in names if name in read.objects]
-            read.taken |= dict.fromkeys((owner, name) for name in functions + tables)
-            _note_elsewhere(read, owner, row)
+        if _CALL.match(verb):
+            back = [name for name in names if name in _CALLING_BACK]
+            read.calls |= dict.fromkeys((owner, name) for name in known + back)
+            return
+        functions = [name for name in known if name in read.functions]
+        read.calls |= dict.fromkeys((ANYTHING, name) for name in functions)
+        tables = [name for name in names if name in read.objects]
+        read.taken |= dict.fromkeys((owner, name) for name in functions + tables)
+        # One that lies elsewhere calls nobody here, and stands for the framework's own.
+        away = [name for name in known if name not in read.functions]
+        read.calls |= dict.fromkeys((owner, name) for name in away)
+        _note_elsewhere(read, owner, row)
 
 
 def _named_in(words: bytes) -> list[bytes]:

@@ -48,7 +48,10 @@ SANITIZER_EXIT = 86
 SANITIZER_ENVIRONMENT = {
     # An assertion ends in abort: handled, it leaves a stack with the student's line.
     "ASAN_OPTIONS": f"detect_leaks=0:exitcode={SANITIZER_EXIT}:max_allocation_size_mb=2048:"
-    "handle_abort=1:allocator_may_return_null=1:detect_odr_violation=0",
+    "handle_abort=1:allocator_may_return_null=1:detect_odr_violation=0:"
+    # References to local variables of a function that has returned. Each thread gets 256 KiB
+    # for each of the eleven sizes of frames, and not up to a MiB, so that 64 have room.
+    "detect_stack_use_after_return=1:max_uar_stack_size_log=18",
     "UBSAN_OPTIONS": f"print_stacktrace=1:exitcode={SANITIZER_EXIT}",
 }
 

@@ -57,7 +57,6 @@ def safe(case: MemoryCase) -> Evidence:
     ending = case.ending
     if ending.finding:
         where = f" in line {ending.line}" if ending.line else ""
-        text = f"{case.name}: {ending.finding}{where}"
-        example = Example(text, "no finding", ending.finding)
+        example = Example(f"{ending.finding}{where}", "no finding", ending.finding)
         return Evidence(1, 1, (example,), ending.stop, ending.line)
     return one(None) if ending.stop is Stop.FINISHED else Evidence(0, 0, stop=ending.stop)

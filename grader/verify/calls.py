@@ -29,6 +29,10 @@ VIRTUAL = "_ZTV"
 OBJECT_CALL = re.compile(r"_ZNKSt8functionIF(?P<signature>.+)EEclE")
 OBJECT_TARGET = re.compile(r"_ZNSt17_Function_handlerIF(?P<rest>.+)E9_M_invoke")
 
+ELSEWHERE = re.compile(r"_ZNSt6thread15_M_start_thread|(?!_Z|ex03_)")
+"""What calls a pointer that it is given: threads, and functions of C, of which no others are
+listed."""
+
 MAX_SIGNATURES = 64
 """More kinds of function objects than this are not followed; a textbook solution has none."""
 
@@ -38,7 +42,7 @@ def callees_of(graph: CallGraph) -> Callees:
     takers = _takers(graph)
     elsewhere = _only_of_intersect(graph, takers)
     callees: Callees = defaultdict(set, {DOOR: {CONSTRUCT}})
-    for call in graph.calls:
+    for call in (*graph.calls, *_handed_on(graph)):
         # Filling a function object is not yet a call of what it holds.
         if not _inside_the_library(call) and not _is_target(call.callee):
             callees[call.caller].add(call.callee)
@@ -52,6 +56,27 @@ def callees_of(graph: CallGraph) -> Callees:
             growing.add(called, targets)
         growing.add(called, targets & selves)
     return dict(callees)
+
+
+def _handed_on(graph: CallGraph) -> Iterator[Call]:
+    """Addresses whose takers may get them called at once, as by a helper that is given one.
+
+    Who comes to no call through a pointer, as a state that names the next, leaves it to others.
+    """
+    callers: Callees = defaultdict(set)
+    for call in graph.calls:
+        if not is_pointer(call.caller):
+            callers[call.callee].add(call.caller)
+    pointed_at = {call.callee for call in graph.calls if call.caller == ANYTHING}
+    hand_on = reachable(callers, filter(_calls_back, names_of(callers)))
+    for call in graph.taken:
+        if call.caller in hand_on and call.callee in pointed_at:
+            yield call
+
+
+def _calls_back(name: str) -> bool:
+    """Tell whether this is a pointer, or a function elsewhere that calls what it is given."""
+    return is_pointer(name) or ELSEWHERE.match(name) is not None
 
 
 def _inside_the_library(call: Call) -> bool:

@@ -226,5 +226,5 @@ def survived(case: SurvivalCase) -> Evidence:
     ending = case.ending
     if ending.stop is Stop.FINISHED:
         return one(None)
-    example = Example(f"{case.name}: {ending.detail}", "it returns", ending.detail)
+    example = Example(ending.detail, "it returns", ending.detail)
     return Evidence(1, 1, (example,), ending.stop, ending.line)

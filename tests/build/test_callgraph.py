@@ -67,6 +67,12 @@ def test_direct_calls_and_pointers_are_listed(text: str) -> None:
     } == calls(text)
 
 
+def test_functions_of_c_that_call_what_they_are_given_are_listed() -> None:
+    """No other functions of C are."""
+    text = GNU.replace("memcpy", "qsort")
+    assert calls(text) - calls(GNU) == {("main", "qsort")}
+
+
 def test_a_call_of_our_own_door_is_listed() -> None:
     """It leads back into the file, unlike other functions of C."""
     text = GNU.replace("memcpy", "ex03_construct")
@@ -105,6 +111,7 @@ def test_who_takes_an_address_is_listed() -> None:
     )
     taken = {(each.caller, each.callee) for each in read_assembly(text.encode()).taken}
     assert taken == {("_Z0v", "_ZTV1S"), ("_Z0v", "_Z1v"), ("_ZTV1S", "_Z2v"), ("*", "_Z3v")}
+    assert ("_Z0v", "_Z1v") not in calls(text)
 
 
 @pytest.mark.parametrize(

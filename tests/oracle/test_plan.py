@@ -67,6 +67,7 @@ def _small(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(module, "REBUILT", (("cloud-9", "cloud-0"),))
     monkeypatch.setattr(module, "ALTERED", ("terrain-1200",))
     monkeypatch.setattr(repeated, "REPEATED", (("terrain-1200", "cloud-5"),))
+    monkeypatch.setattr(repeated, "ALIKE", ("terrain-1200", "cloud-5"))
     monkeypatch.setattr(repeated, "REPEATED_RAYS", 50)
     monkeypatch.setattr(repeated, "GROWING", ("terrain-1200", "cloud-1"))
     monkeypatch.setattr(work, "WORK", (("nested", 50),))

@@ -43,3 +43,32 @@ def test_the_librarys_virtual_functions_are_not_followed() -> None:
     state = "_ZNSt6thread11_State_implIN5SplitEE6_M_runEv"
     calls = (*CALLS, (RUN, "*24"), ("*", state), ("*24", state), (state, RUN))
     assert construct_loops.decide(taking_case(calls, TAKEN)).wrong == 0
+
+
+STATES = ("_ZL5fetchR1M", "_ZL5splitR1M")
+RUNNER, STATE = "_ZL3runR1M", "_ZN5StateC1EPFS_R1ME"
+MACHINE = (
+    (CONSTRUCT, RUNNER),
+    (RUNNER, "*"),
+    *((state, STATE) for state in STATES),
+    *(("*", state) for state in STATES),
+    (STATES[1], GROW),
+)
+NEXT = ((CONSTRUCT, STATES[0]), STATES, STATES[::-1])
+
+
+@pytest.mark.parametrize(
+    ("more", "wrong"),
+    [
+        ((), 0),
+        (((STATE, "*"),), 1),
+        (((STATE, "qsort"),), 1),
+        (((STATES[0], "qsort"),), 0),
+        (((STATE, "_ZNSt6thread15_M_start_threadESt10unique_ptr"),), 1),
+        (((STATES[0], "_ZSt20__throw_length_errorPKc"),), 0),
+        (((STATES[0], STATES[1]), STATES[::-1]), 1),
+    ],
+)
+def test_who_only_names_the_next_state_does_not_call_it(more: Pairs, wrong: int) -> None:
+    """It does where it comes to a call through a pointer, or gives it to one who calls it."""
+    assert construct_loops.decide(taking_case((*MACHINE, *more), NEXT)).wrong == wrong
