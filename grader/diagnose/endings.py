@@ -186,7 +186,12 @@ ENDINGS: tuple[Hypothesis, ...] = (
     _found(
         "memory.used-after-free",
         "A reference or a pointer into a vector is used after the vector has grown or is gone.",
-        r"use-after-free|use-after-scope",
+        r"use-after-free",
+    ),
+    _found(
+        "memory.local-is-gone",
+        "A reference or a pointer is for a local variable that is gone when it is used.",
+        r"stack-use-after-(return|scope)",
     ),
     Hypothesis(
         "memory.comparator",

@@ -41,6 +41,7 @@ SANITIZED = (
     "terrain-600",
     "terrain-1200",
     "ball-1280",
+    "touching-boxes",
 )
 """Meshes of the sanitized build; those of more than 256 faces reach its depth limit."""
 
@@ -71,8 +72,9 @@ USUAL_RAYS, RAYS = 200, {"cloud-4": 1_000}
 """Of each family. Of 1,600 rays among four faces as few as two met more than one of them."""
 
 LATTICES = (0, 2)
-SPINE_STEP = 7
-"""One of so many rays of the deepest tree is for the sanitized build."""
+SPINE_STEP, THICKET_STEP = 7, 8
+"""One of so many rays of the deepest tree, and of the one with most nodes to be visited, is for
+the sanitized build."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -248,7 +250,9 @@ def _exact_trials(seed: int, trees: Trees) -> list[TraceTrial]:
 def _thicket_trials(seed: int, trees: Trees) -> list[TraceTrial]:
     """Lay out the rays that visit every node of a large tree."""
     mesh = thicket(seed)
-    return [thicket_trial(seed, mesh, tree) for tree in trees([mesh])]
+    (tree,) = trees([mesh])
+    trial = thicket_trial(seed, mesh, tree)
+    return [trial, sample(trial, THICKET_STEP, f"{trial.name}, sanitized")]
 
 
 def _sampled(tracing: Sequence[TraceTrial]) -> list[TraceTrial]:

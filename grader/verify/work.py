@@ -52,7 +52,7 @@ def excludes_most_triangles(case: WorkCase) -> Evidence:
     itself, or copies the tree or the mesh for every ray.
     Source: exercise sheet, part b, "to quickly exclude the majority of triangles".
     """
-    unanswered, wasteful, slow = _unanswered(case), _wasteful(case), _slow(case)
+    unanswered, wasteful, slow = _unanswered(case), _wasteful(case), takes_long(case)
     examples = [each for each in (unanswered, wasteful, slow) if each]
     return Evidence(
         examined=case.hits.t.size,
@@ -136,7 +136,7 @@ def _unanswered(case: WorkCase) -> Example | None:
     if faces <= LARGE_MESH:
         return None
     got, true = np.isfinite(case.hits.t), np.isfinite(case.reference_t)
-    for rays, what, other in ((true, "a hit", "none"), (~true, "no hit", "one")):
+    for rays, what, other in ((true, "a hit", "no hit"), (~true, "no hit", "a hit")):
         if rays.sum() < FEW:
             continue
         share = (got == true)[rays].mean()
@@ -179,7 +179,7 @@ def _wasteful(case: WorkCase) -> Example | None:
     )
 
 
-def _slow(case: WorkCase) -> Example | None:
+def takes_long(case: WorkCase) -> Example | None:
     """Compare the time with the reference's; names no seconds, which differ from run to run."""
     allowed = START_SECONDS + SLOWEST * case.reference_cpu_seconds
     if case.cpu_seconds <= allowed:

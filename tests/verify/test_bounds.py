@@ -117,13 +117,13 @@ def test_a_finding_fails_with_its_line() -> None:
     case = memory_case(Stop.CRASHED, "heap-buffer-overflow", 12)
     evidence = construct_memory_is_safe.decide(case)
     assert (evidence.wrong, evidence.line) == (1, 12)
-    assert evidence.examples[0].message == "cube: heap-buffer-overflow in line 12"
+    assert evidence.examples[0].message == "heap-buffer-overflow in line 12"
 
 
 def test_a_finding_without_a_line_says_no_line() -> None:
     """Without a stack the message ends with the finding."""
     evidence = construct_memory_is_safe.decide(memory_case(Stop.CRASHED, "SEGV"))
-    assert evidence.examples[0].message == "cube: SEGV"
+    assert evidence.examples[0].message == "SEGV"
 
 
 @pytest.mark.parametrize("stop", [each for each in Stop if each is not Stop.FINISHED])

@@ -139,7 +139,7 @@ def test_tests_and_time_have_limits(case: WorkCase, wrong: int) -> None:
         ([1.0] * 30 + [np.inf] * 20, [2.0] * 30 + [np.inf] * 20, ""),
         ([1.0] * 27 + [np.inf] * 23, [1.0] * 30 + [np.inf] * 20, ""),
         ([1.0] * 26 + [np.inf] * 24, [1.0] * 30 + [np.inf] * 20, "30 rays have a hit"),
-        ([np.nan] * 30 + [np.inf] * 20, [1.0] * 30 + [np.inf] * 20, "30 of them get none"),
+        ([np.nan] * 30 + [np.inf] * 20, [1.0] * 30 + [np.inf] * 20, "30 of them get no hit"),
         ([1.0] * 33 + [np.inf] * 17, [1.0] * 30 + [np.inf] * 20, "20 rays have no hit"),
         ([1.0] * 50, [1.0] * 31 + [np.inf] * 19, ""),
     ],
