@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 @click.option(
     "--sample",
     is_flag=True,
-    help="Compare half of the right and few wrong files with the matrix.",
+    help="Compare a part of the files with the matrix.",
 )
 @click.option(
     "--mutants",
