@@ -78,6 +78,19 @@ def test_a_whole_result_is_written(name: str, tmp_path: Path) -> None:
     assert failed == {check for check in KILLERS if line[check] == "F"}
 
 
+@pytest.mark.parametrize(
+    ("name", "verdict"),
+    [
+        ("right/exceptions-mark-the-leaves", Verdict.PASS),
+        ("wrong/longest-side-is-a-dangling-reference", Verdict.FAIL),
+    ],
+)
+def test_sanitizers_know_the_stack_in_a_box(name: str, verdict: Verdict) -> None:
+    """There is no /proc to read it from: frames that are gone are told from those in use."""
+    path = corpus_folder() / f"{name}.cpp"
+    assert verdicts(path, "bvh.memory-is-safe") == {"bvh.memory-is-safe": verdict}
+
+
 def test_two_runs_say_the_same_of_a_mistake(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -36,8 +36,6 @@ _FUNCTIONS = {
 LARGEST_STACK = 1 << 26
 """Beyond that AddressSanitizer cleans up no frames."""
 
-_UNLIMITED = (1 << 64) - 1
-
 
 class Batch(ctypes.Structure):
     """Rays to trace and where the results go; all fields but `count` are addresses."""
@@ -98,11 +96,16 @@ def _tell_stack(process: ctypes.CDLL) -> None:
     # Only workers under sanitizers pay for the import.
     import resource
 
-    end = ctypes.c_void_p.in_dll(process, "__libc_stack_end").value or 0
-    size = min(resource.getrlimit(resource.RLIMIT_STACK)[0] & _UNLIMITED, LARGEST_STACK)
-    process.__sanitizer_start_switch_fiber(
-        None, ctypes.c_void_p(end - size), ctypes.c_size_t(size)
-    )
+    try:
+        top = ctypes.c_void_p.in_dll(process, "__libc_stack_end").value
+    except ValueError:
+        top = None
+    if top is None:
+        return  # no glibc: it finds less, and nobody is blamed for that
+    limit, _ = resource.getrlimit(resource.RLIMIT_STACK)
+    size = LARGEST_STACK if limit == resource.RLIM_INFINITY else min(limit, LARGEST_STACK)
+    bottom = ctypes.c_void_p(top - size)
+    process.__sanitizer_start_switch_fiber(None, bottom, ctypes.c_size_t(size))
     process.__sanitizer_finish_switch_fiber(None, None, None)
 
 

@@ -46,6 +46,13 @@ Halves halve(const Mesh& mesh, const BVH::Node& node, std::span<uint32_t> faces,
     return made;
 }
 
+/// Fills an array that lies where the abandoned frames were.
+[[gnu::noinline]] uint32_t zero(size_t place) {
+    std::array<uint32_t, 400> reused;
+    reused.fill(0);
+    return reused[place % reused.size()];
+}
+
 } // namespace
 
 void BVH::construct(const Mesh& mesh) {
@@ -65,9 +72,7 @@ void BVH::construct(const Mesh& mesh) {
             nodes[2 * i + 1] = {made.boxes[0], node.facesBegin, made.middle};
             nodes[2 * i + 2] = {made.boxes[1], made.middle, node.facesEnd};
         } catch (const IsLeaf&) {
-            std::array<uint32_t, 200> reused; // lies where the abandoned frames were
-            reused.fill(0);
-            nodes[i].facesBegin += reused[i % reused.size()];
+            nodes[i].facesBegin += zero(i);
         }
     }
 }
