@@ -212,8 +212,8 @@ def _note(read: _Read, owner: bytes, row: bytes) -> None:
         read.calls |= dict.fromkeys((ANYTHING, name) for name in functions)
         tables = [name for name in names if name in read.objects]
         read.taken |= dict.fromkeys((owner, name) for name in functions + tables)
-        # A function of the framework counts as called by whoever names it: `&AABB::extend` makes
-        # a box grow in the end, and it leads back to nobody.
+        # A function of the framework counts as called by whoever names it: `&AABB::extend`
+        # makes a box grow in the end, and it leads back to nobody.
         away = [name for name in known if name not in read.functions]
         read.calls |= dict.fromkeys((owner, name) for name in away)
         _note_elsewhere(read, owner, row)
