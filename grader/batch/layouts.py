@@ -13,7 +13,7 @@ the platform's own number and not by a name, which changes.
 
 import re
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain
 
@@ -21,7 +21,7 @@ from grader.batch.gradescope import METADATA, Submitter, submitters
 from grader.batch.keys import anonymous_key, gradescope_key, key_of, stem_of
 from grader.batch.sources import Item, Source, notes
 from grader.errors import UsageError
-from grader.gradebook.marks import HANDED_IN, moodle_mark
+from grader.gradebook.marks import ARCHIVES, HANDED_IN, moodle_mark
 from grader.intake.candidates import Entry, is_source
 from grader.output import OUTPUT
 from grader.plain import as_name
@@ -34,6 +34,9 @@ _CANVAS_ANONYMOUS = re.compile(r"(?:LATE_)?(anon_([A-Za-z0-9]+))" + _CANVAS_FILE
 _CANVAS_COPY = re.compile(r"^(exercise03)-\d+(\.cpp)\Z")
 _OF_GRADESCOPE = re.compile(r"submission_\d+")
 _GITHUB = "-submissions"
+
+FEWEST = 2
+"""Submissions in a folder that make it a class."""
 
 MOST_NAMED = 3
 
@@ -98,7 +101,7 @@ def arranged(source: Source, name: str) -> Arrangement:
     stem = name.removesuffix(".zip")
     if len(members) == 1 and members[0].is_folder and not _is_marked(members[0].name, stem):
         inner = source.within(members[0].name)
-        if _is_wrapper(inner):
+        if _is_wrapper(inner, members[0].name):
             found = arranged(inner, members[0].name)
             return replace(found, others=(*found.others, *(one.name for one in results)))
     layout, places = _arranged(source, members, stem)
@@ -163,20 +166,17 @@ def _prefix(stem: str) -> str:
 def _is_marked(name: str, stem: str) -> bool:
     """A platform made this folder for one student, who decides what is in it."""
     prefix = _prefix(stem)
-    by_github = bool(prefix) and name.startswith(prefix)
+    # The folder of the whole clone begins as its zip does, and so as those of students.
+    by_github = bool(prefix) and name.startswith(prefix) and not name.endswith(_GITHUB)
     return by_github or bool(moodle_mark(name) or _OF_GRADESCOPE.fullmatch(name))
 
 
 def _is_of_results(source: Source, item: Item) -> bool:
     """It is what `batch -o` wrote: there is a store, and nothing that anybody handed in."""
-    try:
-        return item.holds_store and not _holds_source(source, item)
-    except OSError:
-        # Whoever reads it as a submission tells what is wrong with it.
-        return False
+    return item.holds_store and not _holds_source(source, item)
 
 
-def _is_wrapper(inner: Source) -> bool:
+def _is_wrapper(inner: Source, name: str) -> bool:
     """A folder holds a class and is no submission: what is in it is several people's."""
     items = inner.items()
     own = [item for item in items if _is_own(item)]
@@ -184,13 +184,35 @@ def _is_wrapper(inner: Source) -> bool:
         return False
     if METADATA in [item.name for item in items] or _moodle(items) or _canvas(items):
         return True
-    return len(own) >= 2 and all(_holds_source(inner, item) for item in own)
+    if name.endswith(_GITHUB):
+        return any(item.is_folder for item in items)
+    if len(own) < FEWEST:
+        return False
+    # Somebody's folder may lack a file to grade; that is no reason to take all for one.
+    several = sum(_is_handed_in(inner, item) for item in own) >= FEWEST
+    return several or all(_holds_source(inner, item) for item in own)
+
+
+def _is_handed_in(source: Source, item: Item) -> bool:
+    """It is one submission more, and no part of one: it has the file, or an archive."""
+    if not item.is_folder:
+        return item.name.lower().endswith(ARCHIVES)
+    return _holds(source, item, lambda path: is_source(path) or path.lower().endswith(ARCHIVES))
 
 
 def _holds_source(source: Source, item: Item) -> bool:
     if not item.is_folder:
         return True
-    return any(entry.path.lower().endswith(HANDED_IN) for entry in source.entries(item.name))
+    return _holds(source, item, lambda path: path.lower().endswith(HANDED_IN))
+
+
+def _holds(source: Source, item: Item, wanted: Callable[[str], bool]) -> bool:
+    """One of the files in a folder is wanted, or we may not look into it."""
+    try:
+        return any(wanted(entry.path) for entry in source.entries(item.name))
+    except OSError:
+        # Whoever reads it as a submission tells what is wrong with it.
+        return True
 
 
 def _is_own(item: Item) -> bool:

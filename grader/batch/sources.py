@@ -110,7 +110,9 @@ class ClassFolder:
 
 def _item(entry: os.DirEntry[str]) -> Item:
     is_folder = entry.is_dir(follow_symlinks=False)
-    return Item(entry.name, is_folder, is_folder and (Path(entry.path) / STORE).exists())
+    # Not Path.exists, which raises where the folder may not be entered.
+    holds_store = is_folder and os.path.exists(Path(entry.path) / STORE)  # noqa: PTH110 - above
+    return Item(entry.name, is_folder, holds_store)
 
 
 class ClassZip:

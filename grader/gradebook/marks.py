@@ -14,7 +14,8 @@ _MOODLE = re.compile(
 )
 _OF_CANVAS = re.compile(r"_\d+_\d+_|^(?:LATE_)?anon_[A-Za-z0-9]+_\d+_")
 
-HANDED_IN = (".cpp", ".cc", ".cxx", ".zip", ".tar", ".tar.gz", ".tgz")
+ARCHIVES = (".zip", ".tar", ".tar.gz", ".tgz")
+HANDED_IN = (".cpp", ".cc", ".cxx", *ARCHIVES)
 """How the name of a file may end that somebody handed in; none of the grader's own does."""
 
 
