@@ -8,7 +8,7 @@ is not the file `12.cpp`.
 import sqlite3
 import unicodedata
 
-from grader.gradebook.marks import HANDED_IN
+from grader.gradebook.marks import HANDED_IN, MEANT
 from grader.plain import as_name
 
 
@@ -37,7 +37,8 @@ def gradescope_key(id: str, email: str, place: str) -> str:
 
 def stem_of(name: str) -> str:
     """Take the ending from the name of a file that somebody handed in."""
-    ending = max((e for e in HANDED_IN if name.lower().endswith(e)), key=len, default="")
+    known = (*HANDED_IN, *MEANT)
+    ending = max((e for e in known if name.lower().endswith(e)), key=len, default="")
     return name[: len(name) - len(ending)] or name
 
 

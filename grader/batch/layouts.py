@@ -21,7 +21,7 @@ from grader.batch.gradescope import METADATA, Submitter, submitters
 from grader.batch.keys import anonymous_key, gradescope_key, key_of, stem_of
 from grader.batch.sources import Item, Source, notes
 from grader.errors import UsageError
-from grader.gradebook.marks import ARCHIVES, HANDED_IN, moodle_mark
+from grader.gradebook.marks import ARCHIVES, HANDED_IN, MEANT, moodle_mark
 from grader.intake.candidates import Entry, is_source
 from grader.output import OUTPUT
 from grader.plain import as_name
@@ -138,7 +138,7 @@ def _arranged(source: Source, items: Sequence[Item], stem: str) -> tuple[str, li
         folders = [one for one in own if one.is_folder]
         marked = [one for one in folders if one.name.startswith(prefix)]
         _require_few("GitHub Classroom", folders, marked)
-    return "plain", [_plain(one) for one in own]
+    return "plain", list(_by_hand(items))
 
 
 def _require_few(layout: str, own: Sequence[Item], marked: Sequence[Item]) -> None:
@@ -217,6 +217,16 @@ def _holds(source: Source, item: Item, wanted: Callable[[str], bool]) -> bool:
 
 def _is_own(item: Item) -> bool:
     return item.is_folder or item.name.lower().endswith(HANDED_IN)
+
+
+def _by_hand(items: Sequence[Item]) -> Iterator[Place]:
+    """What was meant as a submission is one, unless there is a better one of that name."""
+    graded = {_plain(item).key for item in items if _is_own(item)}
+    for item in items:
+        place = _plain(item)
+        is_meant = item.name.lower().endswith(MEANT) and place.key not in graded
+        if is_meant or _is_own(item):
+            yield place
 
 
 def _plain(item: Item) -> Place:

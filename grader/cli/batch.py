@@ -146,7 +146,9 @@ def graded(path: Path, job: "Job") -> int:
             except (WorkerFault, KeyboardInterrupt) as fault:
                 batch.tabulate()
                 return ended_early(watch, fault)
-    return told(job, totals, batch.troubles)
+    status = told(job, totals, batch.troubles)
+    tell_odd(class_)
+    return status
 
 
 def dropped(job: "Job", name: str) -> int:
@@ -191,3 +193,9 @@ def tell_of(path: Path, class_: "Arrangement") -> None:
             "student"
         )
     say(f"{len(class_.places):,} submissions, {class_.layout} layout")
+
+
+def tell_odd(class_: "Arrangement") -> None:
+    """Say at the end, too, that something was left out: long before stands what it is."""
+    if count := len(class_.others):
+        click.echo(f"nobody's: {count:,} named above; look whether they are", err=True)

@@ -18,6 +18,12 @@ ARCHIVES = (".zip", ".tar", ".tar.gz", ".tgz")
 HANDED_IN = (".cpp", ".cc", ".cxx", *ARCHIVES)
 """How the name of a file may end that somebody handed in; none of the grader's own does."""
 
+MEANT = (
+    *(".rar", ".7z", ".gz", ".bz2", ".xz", ".tar.bz2", ".tar.xz"),
+    *(".c", ".c++", ".cpp.txt", ".cc.txt", ".cxx.txt"),
+)
+"""How one ends that was meant as a submission, but is packed or called otherwise."""
+
 
 @dataclass(frozen=True, slots=True)
 class Mark:

@@ -10,10 +10,11 @@ import jsonschema
 import pytest
 
 from grader.batch.sources import opened_class
-from grader.cli.batch import tell_of
+from grader.cli.batch import graded, tell_of
+from grader.output import ready
 from grader.report.as_json import schema_text
 from tests.batch.classes import class_of, folder_of, results, zip_of
-from tests.batch.stand_in import SETTINGS
+from tests.batch.stand_in import SETTINGS, job
 from tests.cli.calls import call
 from tests.cli.test_processes import environment
 from tests.own_files import ROOT
@@ -93,6 +94,18 @@ def test_all_that_is_not_graded_is_named(
     *named, last = capsys.readouterr().out.splitlines()
     assert named == [f"nobody's: `{name}`" for name in sorted(others)]
     assert last == "1 submissions, plain layout"
+
+
+def test_what_is_nobody_s_is_counted_at_the_end(
+    tmp_path: Path, log: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Its names stand above hundreds of lines then."""
+    path = folder_of(tmp_path, "class", {"ada.cpp": "a", "ben.pdf": "", "cy.txt": ""})
+    out = job(ready(tmp_path / "out"))
+    assert graded(path, out) == 0
+    assert capsys.readouterr().err.endswith("nobody's: 2 named above; look whether they are\n")
+    assert graded(folder_of(tmp_path, "other", {"ada.cpp": "a"}), out) == 0
+    assert "nobody's" not in capsys.readouterr().err
 
 
 def test_results_do_not_lie_among_the_submissions(tmp_path: Path) -> None:

@@ -69,6 +69,14 @@ def test_a_second_download_replaces_the_first(tmp_path: Path, name: str) -> None
     assert after.sha256 == digest(CODE)
 
 
+def test_who_packed_it_otherwise_may_hand_in_again(tmp_path: Path) -> None:
+    """Under the same name, whatever it ended with."""
+    (before,) = read(tmp_path, {"ada.tar.xz": "x"}, "plain")
+    (after,) = read(tmp_path, {"ada.cpp": CODE}, "plain")
+    assert (before.slug, before.sha256) == (after.slug, None)
+    assert (after.sha256, after.reason) == (digest(CODE), "")
+
+
 def test_two_of_one_download_stay_two(tmp_path: Path) -> None:
     """Whatever they share: neither is graded in place of the other."""
     person = ("Ada", "9001", "a@uni.example")

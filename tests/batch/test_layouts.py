@@ -83,6 +83,27 @@ def test_by_hand(made: Made, tmp_path: Path) -> None:
         assert class_.others == ("grades.csv",)
 
 
+def test_who_packed_it_otherwise_is_somebody_too(made: Made, tmp_path: Path) -> None:
+    """A row with the reason, and none for what lies beside a file that can be graded."""
+    files: Files = {
+        "ada.rar": "Rar!",
+        "ben.7z": "7z",
+        "cy.cpp.txt": CODE,
+        "di.c": CODE,
+        "eve.cpp": CODE,
+        "eve.rar": "Rar!",
+        **dict.fromkeys(("README.md", "grades.csv", ".hidden.rar", "sheet.pdf", "bvh.h"), ""),
+    }
+    path = made(tmp_path, "class", files)
+    layout, found = found_in(path)
+    assert (layout, found.pop("eve")) == ("plain", ("", "", CODE))
+    assert found.keys() == {"ada", "ben", "cy", "di"}
+    assert all("hand in exercise03.cpp" in reason for _, _, reason in found.values())
+    with class_of(path) as class_:
+        others = ("README.md", "bvh.h", "eve.rar", "grades.csv", "sheet.pdf")
+        assert class_.others == others
+
+
 def test_only_moodle_says_whose_a_file_is(made: Made, tmp_path: Path) -> None:
     """Eve's and Mal's files are called as if Moodle had named them after Ada and Ben."""
     files: Files = {
