@@ -276,8 +276,7 @@ def _place(key: str, name: str, id: str, kinds: Mapping[str, Sequence[Member]]) 
 
 def _gradescope(source: Source, items: Sequence[Item]) -> Iterator[Place]:
     """A submission of a group is one of each of its members: all of them get the points."""
-    file = notes(source, METADATA)
-    known = submitters(file) if file else {}
+    known = submitters(notes(source, METADATA))
     for item in items:
         if item.is_folder:
             for who in known.get(item.name, []) or [Submitter(item.name, "", "")]:

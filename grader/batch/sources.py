@@ -7,7 +7,7 @@ folder is entered by descriptors, through no link. Who fills a class's folder is
 import os
 import stat
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from dataclasses import dataclass
 from errno import EIO
 from functools import partial
@@ -188,13 +188,25 @@ def _by_top(entries: Iterator[Entry], shown: str) -> dict[str, list[Entry]]:
     return listed
 
 
-def notes(source: Source, name: str) -> BinaryIO | None:
-    """Read a file that a learning system put at the top; None if there is none."""
-    with suppress(OSError):
-        for entry in source.entries(name):
-            content = entry.read(LARGEST_NOTES)
-            return None if isinstance(content, Fault) else BytesIO(content)
-    return None
+def notes(source: Source, name: str) -> BinaryIO:
+    """Read a file that a learning system put at the top, which says who everybody is.
+
+    Raises:
+        UsageError: It cannot be read as a whole, so that somebody's name would be lost.
+    """
+    shown = as_name(name)
+    try:
+        content = next((one.read(LARGEST_NOTES + 1) for one in source.entries(name)), None)
+    except OSError as fault:
+        raise UsageError(f"{shown}: {fault.strerror}, but it holds the names") from fault
+    if content is None or isinstance(content, Fault):
+        raise UsageError(f"{shown}: this is no file, but one with the names is expected")
+    if len(content) > LARGEST_NOTES:
+        raise UsageError(
+            f"{shown}: more than {LARGEST_NOTES >> 20} MiB, so nobody knows whether all names "
+            "are read; leave only the names in it, as docs/operator.md says"
+        )
+    return BytesIO(content)
 
 
 def _too_many(shown: str, most: int) -> UsageError:

@@ -1,6 +1,7 @@
 """Everybody's submission is found in every kind of download, under the right name and id."""
 
 from pathlib import Path
+from zipfile import ZIP_STORED
 
 import pytest
 
@@ -18,6 +19,7 @@ from tests.batch.platforms import (
     PLAIN,
     TYPED,
 )
+from tests.intake.archives import zipped
 
 
 def test_moodle(made: Made, tmp_path: Path) -> None:
@@ -63,6 +65,33 @@ def test_half_a_character_in_the_notes_of_gradescope_is_replaced() -> None:
     )
     zoe, _ = submitters(text.encode().splitlines())["submission_102"]
     assert (zoe.name, zoe.id) == ('Zo? "Z" Ng', "9?\U0001f600")
+
+
+def test_no_name_of_gradescope_is_lost_without_a_word(
+    made: Made, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Notes of which only a part is read, or nothing, would leave somebody without one."""
+    path = made(tmp_path, "download", GRADESCOPE)
+    monkeypatch.setattr("grader.batch.sources.LARGEST_NOTES", len(METADATA.encode()))
+    assert found_in(path)[0] == "Gradescope"
+    monkeypatch.setattr("grader.batch.sources.LARGEST_NOTES", len(METADATA.encode()) - 1)
+    with pytest.raises(UsageError, match=r"submission_metadata\.yml: more than 0 MiB"):
+        found_in(path)
+
+
+def test_notes_of_gradescope_that_cannot_be_read_are_told(tmp_path: Path) -> None:
+    """Without them everybody would be called after a folder."""
+    path = folder_of(tmp_path, "download", {"submission_1/exercise03.cpp": CODE})
+    (path / "submission_metadata.yml").symlink_to("nowhere")
+    with pytest.raises(UsageError, match="this is no file, but one with the names"):
+        found_in(path)
+    (path / "submission_metadata.yml").unlink()
+    files = {"submission_1/exercise03.cpp": CODE, "submission_metadata.yml": METADATA}
+    whole = zipped([(name, text.encode()) for name, text in files.items()], ZIP_STORED)
+    broken = tmp_path / "broken.zip"
+    broken.write_bytes(whole.replace(b"Ada Lovelace", b"Eva Lovelace"))
+    with pytest.raises(UsageError, match=r"metadata\.yml: .*download it again"):
+        found_in(broken)
 
 
 def test_github_classroom(made: Made, tmp_path: Path) -> None:
