@@ -31,7 +31,7 @@ def report(folder: Path, language: str | None) -> None:
 
     Exit status: 0 written, 2 a stored result cannot be used, 3 nothing could be written.
     """
-    from grader.gradebook.results import result_paths
+    from grader.gradebook.paths import result_paths
 
     spoken = language or usual_language()
     paths = result_paths(folder)

@@ -1,4 +1,4 @@
-"""Which results lie in a folder, and whose are they?
+"""Whose are the results in a folder, and what do they say?
 
 A student is known by the name of the folder that holds `result.json`, which the course chose or
 the platform gave when it packed all submissions. What stands inside of a result says nothing
@@ -6,19 +6,19 @@ about that: a submission's own name is the student's to choose.
 """
 
 import json
-import os
 import re
-from collections.abc import Collection, Sequence
+from collections.abc import Collection
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from grader.errors import UsageError
-from grader.gradebook.known import class_of, is_students, known_folders
-from grader.gradebook.marks import HANDED_IN, moodle_mark
+from grader.gradebook.known import class_of, known_folders
+from grader.gradebook.marks import moodle_mark
+from grader.gradebook.paths import owner, result_paths, strays_in
 from grader.gradebook.strict import damaged, finite, read_plain, refuse
-from grader.output import OUTPUT, RESULT, STORE, STUDENT, STUDENTS
-from grader.plain import as_name, one_line
+from grader.output import RESULT, STORE, STUDENT, STUDENTS
+from grader.plain import one_line
 from grader.report.as_json import SCHEMA_VERSION, Json, schema_text
 from grader.report.escape import LARGEST_JSON
 
@@ -104,7 +104,8 @@ def results_in(folder: Path, apart: Collection[str] = ()) -> list[Marked]:
     home = folder.resolve()
     known = known_folders(home) if (home / STORE).is_file() else None
     found: list[Marked] = []
-    for path in result_paths(folder):
+    strays = () if known is None else strays_in(home)
+    for path in [*result_paths(folder), *strays]:
         own = path.parent.resolve()
         if (other := class_of(own)) not in (None, home):
             raise UsageError(
@@ -112,7 +113,7 @@ def results_in(folder: Path, apart: Collection[str] = ()) -> list[Marked]:
                 f"name the folder of the class, {other}"
             )
         if known is None:
-            name = _owner(own / RESULT).name
+            name = owner(own / RESULT).name
             found.append(Marked(name, ids_of(name), read_result(path)))
         elif own.parent != home / STUDENTS or own.name not in known:
             found.append(Marked(own.relative_to(home).as_posix(), NOBODY, NOTHING, _UNKNOWN))
@@ -138,69 +139,6 @@ def ids_by_batch(name: str, id: str, email: str, layout: str) -> Ids:
         canvas=id if layout == "Canvas" else "",
         full_name=name,
     )
-
-
-def result_paths(folder: Path) -> list[Path]:
-    """Find every result below a folder, in the order of their folders; no link is followed.
-
-    Nothing in a result says who wrote it: a submission may hold a forged one, or an honest one
-    of its author's own `bvhgrade check`. So none is taken where submissions lie, nor where two
-    could be of one student.
-
-    Raises:
-        UsageError: There is none, or it is not sure that all are the grader's.
-    """
-    found: list[Path] = []
-    for here, folders, files in os.walk(folder, onerror=_unread):
-        folders.sort()
-        if handed_in := [name for name in files if name.lower().endswith(HANDED_IN)]:
-            raise _not_apart(folder, Path(here) / min(handed_in))
-        if RESULT in files:
-            found.append(Path(here) / RESULT)
-    if not found:
-        raise UsageError(f"{folder}: no {RESULT} below it; name the folder of the results")
-    _require_one_each(found)
-    return found
-
-
-def _require_one_each(found: Sequence[Path]) -> None:
-    """Refuse results of which one lies in the folder of another.
-
-    Raises:
-        UsageError: Two do.
-    """
-    whose = {_owner(path): path for path in found}
-    for path in found:
-        owner = _owner(path)
-        for above in (owner, *owner.parents):
-            if whose.get(above, path) != path:
-                raise _two_of_one(path, whose[above])
-
-
-def _owner(path: Path) -> Path:
-    """Find the folder that is called after the student."""
-    here = path.parent
-    # Where `grade` writes by itself, the folder above is the student's; in a class it is not.
-    return here.parent if here.name == OUTPUT and not is_students(here.parent) else here
-
-
-def _not_apart(folder: Path, file: Path) -> UsageError:
-    shown = as_name(file.relative_to(folder).as_posix())
-    return UsageError(
-        f"{folder}: a submission lies there (`{shown}`), and with it could have come any "
-        f"{RESULT}; grade into a folder apart from the submissions (-o) and name that one"
-    )
-
-
-def _two_of_one(first: Path, second: Path) -> UsageError:
-    return UsageError(
-        f"{first} and {second}: one lies in the folder of the other, so one of them may have "
-        "been handed in; remove it, or grade into an empty folder"
-    )
-
-
-def _unread(fault: OSError) -> None:
-    raise UsageError(f"{fault.filename}: {fault.strerror}, but results may lie there")
 
 
 def ids_of(name: str) -> Ids:

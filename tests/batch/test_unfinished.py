@@ -70,6 +70,17 @@ def test_who_left_a_class_has_no_points(tmp_path: Path, log: Path) -> None:
     assert told.startswith("students/bob: batch.sqlite knows no student of this folder")
 
 
+def test_a_download_in_the_folder_of_its_results_is_no_obstacle(
+    tmp_path: Path, log: Path
+) -> None:
+    """Everybody's points are in the file, and not those that somebody handed in."""
+    out = tmp_path / "out"
+    files = {"bob/exercise03.cpp": "b", "bob/bvhgrade-out/result.json": "{", "ada.zip": CODE}
+    grade(folder_of(tmp_path, "out/download", files), job(out))
+    made = exported("csv", out, None, ASKED)
+    assert (made.filled, made.problems) == (2, ())
+
+
 def test_the_folder_of_the_students_alone_is_refused(tmp_path: Path, log: Path) -> None:
     """Bob's file is a newer one, which only the store of the class knows."""
     path = folder_of(tmp_path, "class", {"ada.cpp": CODE, "bob.cpp": "b"})

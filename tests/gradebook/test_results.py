@@ -6,7 +6,8 @@ from pathlib import Path
 import pytest
 
 from grader.errors import UsageError
-from grader.gradebook.results import Ids, ids_of, result_paths, results_in
+from grader.gradebook.paths import result_paths
+from grader.gradebook.results import Ids, ids_of, results_in
 from tests.gradebook.folders import CLASS, write_batch, write_class
 from tests.report import real
 
