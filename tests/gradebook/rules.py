@@ -7,6 +7,9 @@ grade/import/csv/classes/load_data.php; instructure/canvas-lms, lib/gradebook_im
 import csv
 import io
 import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from datetime import datetime, timedelta
 
 HEADERS = {
     "en": ("Identifier", "Grade", "Last modified (grade)", "Feedback comments"),
@@ -42,10 +45,49 @@ def moodle_number(text: str, language: str) -> float:
     return float(text if language == "en" else text.replace(",", "."))
 
 
+@dataclass(frozen=True)
+class Kept:
+    """What Moodle's own data base says of a participant."""
+
+    points: float | None = None
+    modified: datetime = datetime(1970, 1, 1)
+    locked: bool = False
+
+
+UNGRADED = Kept()
+
+
+def moodle_date(text: str) -> datetime:
+    """Read a date as PHP's `strtotime` does: in English; what is none is the year 1970."""
+    try:
+        return datetime.strptime(text, "%A, %d %B %Y, %I:%M %p")
+    except ValueError:
+        return UNGRADED.modified
+
+
+@dataclass(frozen=True)
+class Site:
+    """What Moodle knows when a worksheet is imported, and what the teacher ticks."""
+
+    kept: Mapping[int, Kept] = field(default_factory=dict)
+    """By the number of the participant."""
+
+    ignore_modified: bool = False
+    """Whether "Allow updating records that have been modified more recently" is ticked."""
+
+    highest: float = 50
+
+
+NEW = Site()
+
+
 def moodle_worksheet(
-    data: bytes, language: str, delimiter: str = ",", highest: float = 50
+    data: bytes, language: str, delimiter: str = ",", site: Site = NEW
 ) -> dict[int, tuple[float, str]]:
-    """Import a grading worksheet: participant to points and feedback; others are skipped."""
+    """Import a grading worksheet: participant to points and feedback; others are skipped.
+
+    Of a skipped row Moodle takes the feedback all the same, unless the grade is newer there.
+    """
     header, *rows = read(data, delimiter)
     who, grade, modified, feedback = HEADERS[language]
     if not {who, grade, modified} <= set(header):
@@ -57,7 +99,11 @@ def moodle_worksheet(
         if number is None or not cell[grade].strip():
             continue
         points = moodle_number(cell[grade], language)
-        if 0 <= points <= highest:
+        now = site.kept.get(int(number[1]), UNGRADED)
+        is_stale = now.modified > moodle_date(cell[modified]) + timedelta(seconds=60)
+        if points == now.points or now.locked or (is_stale and not site.ignore_modified):
+            continue
+        if 0 <= points <= site.highest:
             taken[int(number[1])] = (points, cell.get(feedback, ""))
     return taken
 
