@@ -2,7 +2,7 @@
 
 import json
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from grader.batch.files import Results
@@ -20,6 +20,7 @@ COLUMNS = ("name", "id", "email", "folder", "score", "max_score", "needs_review"
 LONGEST_NOTE = 300
 
 Json = dict[str, Any]
+Known = dict[tuple[str, str], tuple[str, str]]
 
 
 @dataclass(slots=True)
@@ -49,7 +50,7 @@ def write_table(job: Job, store: Store, results: Results) -> Totals:
 
 
 def _rows(store: Store, results: Results, totals: Totals, shown: list[Row]) -> Iterator[str]:
-    is_first = True
+    is_first, known = True, Known()
     for student in store.students():
         found = results.of(student)
         if found is None:
@@ -64,8 +65,23 @@ def _rows(store: Store, results: Results, totals: Totals, shown: list[Row]) -> I
             is_first = False
             # A byte order mark, without which Excel takes the file for Latin-1.
             yield "\ufeff" + _row([*COLUMNS, *(f"part {one['id']}" for one in result["parts"])])
-        shown.append(row_of(result, f"{STUDENTS}/{student.slug}/{PAGE}", student.id))
+        row = row_of(result, f"{STUDENTS}/{student.slug}/{PAGE}", student.id)
+        shown.append(shared(row, known))
         yield _row(_cells(student, result))
+
+
+def shared(row: Row, known: Known) -> Row:
+    """Take from earlier rows what a row has in common with them, to be kept only once.
+
+    Args:
+        row: Of a student; its checks and sentences are read anew from each result.
+        known: Every pair of an earlier row, once; gets those that are new.
+    """
+    verdicts, causes = (
+        tuple(known.setdefault(pair, pair) for pair in pairs)
+        for pairs in (row.verdicts, row.causes)
+    )
+    return replace(row, verdicts=verdicts, causes=causes)
 
 
 def _cells(student: Student, result: Json) -> list[object]:

@@ -31,15 +31,17 @@ def report(folder: Path, language: str | None) -> None:
 
     Exit status: 0 written, 2 a stored result cannot be used, 3 nothing could be written.
     """
+    from grader.batch.table import Known, shared
     from grader.gradebook.paths import result_paths
 
     spoken = language or usual_language()
     paths = result_paths(folder)
     with shown_progress() as progress:
-        rows = []
+        rows: list[Row] = []
+        known = Known()
         for number, path in enumerate(paths):
             progress("writing reports", number, len(paths))
-            rows.append(page_of(path, folder, spoken))
+            rows.append(shared(page_of(path, folder, spoken), known))
     if paths == [folder / RESULT]:
         click.echo(f"written: {line_for_terminal(str(folder / PAGE))}")
         return
