@@ -253,12 +253,14 @@ def _uncollected() -> Iterator[None]:
     that one that starts holds: for ever, if that is what is going on in the same thread.
     Source: distributed, `Client.__del__` and `LoopRunner.start`.
     """
+    was_enabled = gc.isenabled()
     gc.collect()
     gc.disable()
     try:
         yield
     finally:
-        gc.enable()
+        if was_enabled:
+            gc.enable()
 
 
 def require_versions(client: Versioned, address: str) -> None:

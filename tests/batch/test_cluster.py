@@ -187,6 +187,12 @@ def test_no_client_is_collected_while_one_starts(monkeypatch: pytest.MonkeyPatch
     monkeypatch.setattr("distributed.Client", started)
     module._connected("tcp://127.0.0.1:1")
     assert (seen, gc.isenabled()) == ([False], True)
+    gc.disable()
+    try:
+        module._connected("tcp://127.0.0.1:1")
+        assert not gc.isenabled(), "it was so before, for whatever reason"
+    finally:
+        gc.enable()
 
 
 def test_a_client_that_does_not_start_is_told(
