@@ -7,17 +7,13 @@ run of two versions, and nobody has more or fewer points for it.
 import json
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
-from grader.batch.files import Results
+from grader.batch.files import Results, standing
 from grader.batch.job import Job
 from grader.batch.records import Student
 from grader.batch.settings import Settings
 from grader.batch.store import Store
-from grader.errors import UsageError
-from grader.gradebook.results import read_result
-from grader.output import RESULT, STUDENTS
 from grader.plain import one_line
 
 Json = Mapping[str, Any]
@@ -67,7 +63,7 @@ def changes(store: Store, first: Settings, job: Job) -> Iterator[tuple[Student, 
             old, new = (store.result(student.sha256, each) for each in (first, job.settings))
             before = None if old is None else json.loads(old.text)
         elif student.reason:
-            before, new = _refused(job.folder, student, first), results.of(student)
+            before, new = standing(student, job.folder, first), results.of(student)
         else:
             continue
         if new is None:
@@ -77,16 +73,6 @@ def changes(store: Store, first: Settings, job: Job) -> Iterator[tuple[Student, 
             yield student, Change("no result", points(after), ())
         else:
             yield student, compared(before, after)
-
-
-def _refused(folder: Path, student: Student, settings: Settings) -> Json | None:
-    """Find the result of who handed in no file: the store has none, but the folder does."""
-    if student.written != settings.digest:
-        return None
-    try:
-        return read_result(folder / STUDENTS / student.slug / RESULT)
-    except UsageError:
-        return None
 
 
 def lines(change: Change) -> list[str]:

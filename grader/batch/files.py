@@ -11,6 +11,7 @@ from grader.batch.records import Student
 from grader.batch.settings import Settings
 from grader.batch.store import Store
 from grader.errors import OutputFault, UsageError
+from grader.gradebook.results import read_result
 from grader.kept import Result, kept, write_result
 from grader.output import RESULT, STUDENT, STUDENTS, ready, write_whole
 from grader.pipeline import grade_located, withheld_grade
@@ -27,17 +28,21 @@ class Results:
 
     def of(self, student: Student) -> Result | None:
         """The result of a student; None if the submission waits to be graded."""
-        given = student.submission(b"")
         if student.sha256 is not None:
             found = self._store.result(student.sha256, self._job.settings)
             if found is not None:
-                renamed = json.loads(found.text) | {"submission": as_json.submission(given)}
+                given = as_json.submission(student.submission(b""))
+                renamed = json.loads(found.text) | {"submission": given}
                 return Result(for_json(renamed) + "\n", found.attachments)
-        options = self._job.wish.options()
+        is_waiting = student.sha256 is not None and not student.fault
+        return None if is_waiting else self._made(student)
+
+    def _made(self, student: Student) -> Result | None:
+        """Make what the store does not keep, since nothing is compiled for it."""
+        given, options = student.submission(b""), self._job.wish.options()
         if student.fault:
             return kept(withheld_grade(given, options, student.fault))
-        # Nothing is compiled of what holds no file.
-        return kept(grade_located(given, options)) if student.sha256 is None else None
+        return kept(grade_located(given, options))
 
     def write(self, student: Student) -> bool:
         """Write a student's folder; False if there is nothing to write yet.
@@ -62,6 +67,31 @@ class Results:
         written = "" if student.fault else self._job.settings.digest
         self._store.mark_written(student, written)
         return True
+
+
+class Standing(Results):
+    """The results that a class has, with whatever it was graded: no result is made here."""
+
+    def _made(self, student: Student) -> Result | None:
+        found = standing(student, self._job.folder, self._job.settings)
+        return None if found is None else Result(for_json(found) + "\n", ())
+
+
+def standing(student: Student, folder: Path, settings: Settings) -> as_json.Json | None:
+    """Read the result of who handed in no file: the store has none, but the folder does.
+
+    Args:
+        student: Whose folder.
+        folder: Of the class.
+        settings: Of the class.
+    """
+    try:
+        found = read_result(folder / STUDENTS / student.slug / RESULT)
+    except UsageError:
+        return None
+    # A folder with points that are withheld is never marked as written.
+    counts = found["needs_review"] if student.fault else student.written == settings.digest
+    return found if counts else None
 
 
 def is_written(student: Student, folder: Path, settings: Settings) -> bool:

@@ -152,15 +152,15 @@ def graded(path: Path, job: "Job") -> int:
 
 
 def dropped(job: "Job", name: str) -> int:
-    """Take a student out of a class; the exit status.
+    """Take a student out of a class, with whatever it was graded; the exit status.
 
     Raises:
-        UsageError: Nobody has such a folder, or the settings are not those of the class.
-        OutputFault: Something cannot be removed.
+        UsageError: Nobody has such a folder.
+        OutputFault: Something cannot be removed or written.
     """
-    from grader.batch.files import remove_folder
-    from grader.batch.runner import Batch
+    from grader.batch.files import Standing, remove_folder
     from grader.batch.store import opened_store
+    from grader.batch.table import write_table
 
     with opened_store(job.folder) as store:
         student = next((one for one in store.students() if one.slug == name), None)
@@ -169,14 +169,12 @@ def dropped(job: "Job", name: str) -> int:
                 f"{job.folder}: no student's folder is called {as_name(name)}; class.csv there "
                 "lists all of them"
             )
-        require_same(store, job)
         # The folder first: whatever ends this in between, the store still knows whose it was.
         remove_folder(job, student)
         store.drop(student)
         say(f"{student.name}: taken out of the class")
-        with shown_class() as watch:
-            batch = Batch(job, store, watch)
-            return told(job, batch.tabulate(), batch.troubles)
+        job = replace(job, settings=store.current() or job.settings)
+        return told(job, write_table(job, store, Standing(store, job)), troubles=0)
 
 
 def tell_of(path: Path, class_: "Arrangement") -> None:

@@ -12,11 +12,12 @@ from grader.errors import UsageError, WorkerFault
 from grader.report.escape import line_for_terminal
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
+    from collections.abc import Container, Iterable, Mapping
 
     from grader.batch.comparison import Change
     from grader.batch.job import Job
     from grader.batch.records import Student
+    from grader.batch.settings import Settings
     from grader.batch.store import Store
 
 
@@ -46,16 +47,32 @@ def regraded(job: "Job", apply: bool) -> int:
                 return ended_early(watch, fault)
         names = names_of(store.students())
         tell_changes(changes(store, before, job), names)
-        if missing := tell_missing(store.without_points(job.settings), names):
-            say(
-                f"{missing:,} not graded anew, so nothing was changed; the same command goes on"
-            )
-            return OUR_FAULT
-        if not apply:
-            say("nothing was changed; --apply makes it so")
-            return FULL_MARKS
-        store.make_current(job.settings)
-        return finished(job, store, apply)
+        return decided(job, store, before, apply, names)
+
+
+def decided(
+    job: "Job", store: "Store", before: "Settings", apply: bool, names: "Mapping[str, str]"
+) -> int:
+    """Apply what was graded, unless somebody would lose points; the exit status."""
+    missing = list(store.without_points(job.settings))
+    had_none = {one.slug for one in store.without_points(before)}
+    tell_missing(missing, had_none, names)
+    if losing := sum(one.slug not in had_none for one in missing):
+        say(f"{losing:,} not graded anew, so nothing was changed; the same command goes on")
+        return OUR_FAULT
+    if not apply:
+        say("nothing was changed; --apply makes it so")
+        return OUR_FAULT if missing else FULL_MARKS
+    withhold(missing, store, job)
+    store.make_current(job.settings)
+    return finished(job, store, apply)
+
+
+def withhold(students: "Iterable[Student]", store: "Store", job: "Job") -> None:
+    """Let those who had no points and have none now be withheld, and not be nowhere."""
+    for one in students:
+        if one.sha256 and not one.fault and store.result(one.sha256, job.settings) is None:
+            store.put(replace(one, fault="it could not be graded anew", written=""), b"")
 
 
 def finished(job: "Job", store: "Store", apply: bool) -> int:
@@ -103,14 +120,18 @@ def tell_changes(
     say(f"{same:,} stay as they are")
 
 
-def tell_missing(students: "Iterable[Student]", names: "Mapping[str, str]") -> int:
-    """Name everybody who could not be graded anew; how many there are."""
-    missing = list(students)
-    for student in missing:
-        unread = (
-            ""
-            if student.sha256
-            else ", since its file was never read; grade the download again"
-        )
-        say(f"{names[student.slug]}: not graded anew{unread}")
-    return len(missing)
+def tell_missing(
+    students: "Iterable[Student]", had_none: "Container[str]", names: "Mapping[str, str]"
+) -> None:
+    """Name everybody who could not be graded anew.
+
+    Args:
+        students: They.
+        had_none: Folders of those who lose nothing by that.
+        names: Of their folders.
+    """
+    for student in students:
+        why = "" if student.sha256 else ", since its file was never read"
+        what = "; no points before either: grade the download again"
+        end = what if student.slug in had_none else ""
+        say(f"{names[student.slug]}: not graded anew{why}{end}")

@@ -3,6 +3,7 @@
 import sqlite3
 from collections.abc import Callable
 from contextlib import AbstractContextManager, closing
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -10,6 +11,7 @@ import pytest
 from grader.batch.store import Store, opened_store, read_store
 from grader.cli.batch import dropped
 from grader.errors import OutputFault, UsageError
+from grader.score.rubric import SHIPPED
 from tests.batch.classes import CODE, folder_of, grade, points
 from tests.batch.stand_in import SETTINGS, job
 
@@ -105,3 +107,24 @@ def test_a_student_can_be_taken_out(
     assert "ada: taken out of the class\n1 graded" in capsys.readouterr().out
     assert points(tmp_path / "out") == {"bob": 50}
     assert "ada" not in (tmp_path / "out/class.csv").read_text()
+
+
+def test_a_student_can_be_taken_out_after_an_update(tmp_path: Path, log: Path) -> None:
+    """Of the grader or the compiler; the others keep all that they have, whatever it is."""
+    old = job(tmp_path / "out")
+    files = {"ada.cpp": "raise", "bob.cpp": "wrong", "cy.cpp": " ", "di.cpp": CODE}
+    grade(folder_of(tmp_path, "class", files), old)
+    header, *rows = (old.folder / "class.csv").read_text().splitlines()
+    path = tmp_path / "rubric.toml"
+    path.write_text(SHIPPED.read_text().replace("\npoints = 3\n", "\npoints = 4\n", 1))
+    settings = replace(SETTINGS, grader="0.2", seed=7)
+    new = replace(old, settings=settings, wish=replace(old.wish, rubric=path))
+    assert dropped(new, "di") == 3
+    assert (old.folder / "class.csv").read_text().splitlines() == [header, *rows[:3]]
+    assert dropped(new, "ada") == 0
+    assert "bvhgrade 0.1" in (old.folder / "class.html").read_text()
+    with opened_store(old.folder) as store:
+        assert store.current() == SETTINGS
+        for one in list(store.students()):
+            store.put(replace(one, written=""), b"")
+    assert dropped(new, "bob") == 3, "nobody knows whether Cy's folder is of the newest file"

@@ -1,7 +1,8 @@
 """A new rubric, seed or grader: who would change, and why, is shown before it is applied."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
+from errno import EACCES
 from pathlib import Path
 
 import pytest
@@ -10,16 +11,21 @@ from grader.batch.comparison import compared, lines, provenance_changes
 from grader.batch.job import Job
 from grader.batch.runner import Batch
 from grader.batch.store import opened_store
-from grader.batch.work import Order, Refused
+from grader.batch.work import Failed, Order, Refused
 from grader.cli.regrading import regraded
 from grader.errors import UsageError
+from grader.intake.candidates import Entry
+from grader.intake.handed_in import handed_in
 from grader.kept import Result, kept
+from grader.model.stages import Rejected, Submission
 from grader.report.as_json import to_json
 from grader.score.rubric import SHIPPED
 from tests.batch.classes import CODE, folder_of, grade, points
 from tests.batch.stand_in import SETTINGS, begun, job
 from tests.cli.calls import call
 from tests.report import samples
+
+Entries = Callable[[], Iterator[Entry]]
 
 
 def test_equal_results_do_not_differ() -> None:
@@ -135,14 +141,12 @@ def test_a_folder_without_a_class_is_not_begun(tmp_path: Path, option: list[str]
 
 def test_what_could_not_be_graded_anew_keeps_all_as_it_is(tmp_path: Path, log: Path) -> None:
     """Half of a class by other rules would be unfair."""
-    path = folder_of(tmp_path, "class", {"ada.cpp": "die once", "bob.cpp": CODE})
+    path = folder_of(tmp_path, "class", {"ada.cpp": "hard", "bob.cpp": CODE})
     out = tmp_path / "out"
     grade(path, job(out))
-    log.unlink()
-    with opened_store(out) as store:
-        ada = next(store.students())
-        store.put(replace(ada, sha256="0" * 64, path="exercise03.cpp"), b"raise")
-    assert regraded(anew(out), apply=True) == 3
+    failing = replace(anew(out), entry="tests.batch.test_regrade:failed")
+    assert regraded(failing, apply=True) == 3
+    assert points(out) == {"ada": 50, "bob": 50}
     with opened_store(out) as store:
         assert store.current() == SETTINGS
 
@@ -178,7 +182,7 @@ def test_what_we_failed_at_before_is_tried_anew(tmp_path: Path, log: Path) -> No
     out = tmp_path / "out"
     grade(path, job(out))
     assert points(out) == {"ada": None, "bob": 50}
-    assert regraded(anew(out), apply=True) == 3
+    assert regraded(anew(out), apply=False) == 3
     assert begun(log).count("raise") == 2
     healed = replace(anew(out), entry="tests.batch.test_regrade:perfect")
     assert regraded(healed, apply=True) == 0
@@ -188,17 +192,45 @@ def test_what_we_failed_at_before_is_tried_anew(tmp_path: Path, log: Path) -> No
         assert not [one for one in store.students() if one.fault or not one.written]
 
 
-def test_a_file_that_was_never_read_keeps_all_as_it_is(
+@pytest.mark.parametrize("text", ["raise", "withheld once"])
+def test_who_has_no_points_does_not_block_a_class(
+    tmp_path: Path, log: Path, capsys: pytest.CaptureFixture[str], text: str
+) -> None:
+    """After an update the settings of before cannot be had again; a person is told of whom."""
+    path = folder_of(tmp_path, "class", {"ada.cpp": text, "bob.cpp": "moody", "cy.cpp": CODE})
+    out = tmp_path / "out"
+    grade(path, job(out))
+    new = replace(anew(out), entry="tests.batch.test_regrade:failed")
+    assert regraded(new, apply=False) == 3
+    assert points(out) == {"ada": None, "bob": 50, "cy": 50}
+    assert regraded(new, apply=True) == 3
+    said = capsys.readouterr().out
+    assert "ada: not graded anew; no points before either: grade the download again\n" in said
+    assert "2 graded, 1 withheld, 0 waiting\n" in said
+    assert points(out) == {"ada": None, "bob": 50, "cy": 50}
+    with opened_store(out) as store:
+        assert store.current() == new.settings
+    now = replace(new, entry="tests.batch.test_regrade:perfect", preview=False)
+    assert grade(path, now)[0].graded == 3
+    assert points(out) == {"ada": 50, "bob": 50, "cy": 50}
+
+
+def test_who_was_never_read_does_not_block_a_class(
     tmp_path: Path, log: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """It could not be graded by the new rules either."""
+    """There is nothing to grade anew and nothing to lose; the download still has the file."""
     out = tmp_path / "out"
-    grade(folder_of(tmp_path, "class", {"ada.cpp": " ", "bob.cpp": CODE}), job(out))
-    with opened_store(out) as store:
-        ada = next(store.students())
-        store.put(replace(ada, reason="", fault="it could not be read: gone"), b"")
+    path = folder_of(tmp_path, "class", {"ada.cpp": CODE, "bob.cpp": "b"})
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("grader.batch.runner.handed_in", unread)
+        grade(path, job(out))
+    assert points(out) == {"ada": None, "bob": 50}
     assert regraded(anew(out), apply=True) == 3
-    assert "ada: not graded anew, since its file was never read" in (capsys.readouterr().out)
+    assert "ada: not graded anew, since its file was never read; no" in capsys.readouterr().out
+    assert points(out) == {"ada": None, "bob": 50}
+    with opened_store(out) as store:
+        assert store.current() == anew(out).settings
+    assert grade(path, replace(anew(out), preview=False))[0].graded == 2
 
 
 def test_the_settings_of_the_class_are_no_news(tmp_path: Path, log: Path) -> None:
@@ -284,6 +316,20 @@ def anew(folder: Path) -> Job:
 def perfect(order: Order, tell: Callable[[str], None]) -> Result:
     """Do what a clerk does, without a fault."""
     return kept(replace(samples.perfect(), submission=order.submission))
+
+
+def failed(order: Order, tell: Callable[[str], None]) -> Result | Failed:
+    """Fail at some files."""
+    assert isinstance(order.submission, Submission)
+    hard = order.submission.source in (b"hard", b"raise", b"withheld once")
+    return Failed("no more file descriptors") if hard else perfect(order, tell)
+
+
+def unread(student: str, entries: Entries, limit: int) -> Submission | Rejected:
+    """Read nothing of Ada's, as if it lay on a disk that is gone."""
+    if student == "ada":
+        raise PermissionError(EACCES, "Permission denied")
+    return handed_in(student, entries, limit)
 
 
 def refused(order: Order, tell: Callable[[str], None]) -> Refused:
