@@ -107,7 +107,7 @@ def searched(
         paths: Wrong submissions.
         jobs: How many processes.
         ledger: Where results are kept.
-        tell: Called with each file and what was found, at once.
+        tell: Called with each file and what was found, at once; what it refuses is not kept.
         into: A folder for the inputs; what is missing there is searched, too.
     """
     keys = {(name_of(path), digest_of(path)): path for path in paths}
@@ -129,10 +129,10 @@ def searched(
     orders = [(keys[key], into) for key in waiting]
     results = mapped(smallest_inputs, orders, jobs)
     for (name, digest), found in zip(waiting, results, strict=True):
+        tell(name, found)
         if found is not None:
             sizes = [asdict(one) for one in found]
             ledger.enter(ENTRY, {"name": name, "digest": digest, "sizes": sizes})
-        tell(name, found)
     return [one for found in known().values() for one in found]
 
 
