@@ -42,7 +42,7 @@ def search(
 
     sizes = searched(paths, jobs, Ledger(usual_ledger(), grader), tell, into)
     require_unchanged(grader, WITHOUT_SIZES)
-    store_smallest(sizes, every_submission())
+    store_smallest(sizes, every_submission(), grader)
     return bool(undecided)
 
 
