@@ -3,7 +3,6 @@
 How many seconds anything takes is nobody's test.
 """
 
-from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
 
@@ -11,22 +10,13 @@ import pytest
 
 from grader.bench import compiling, scale, solutions
 from grader.bench.boxes import Timer
-from grader.bench.libraries import Libraries, build_libraries
+from grader.bench.libraries import Libraries
 from grader.bench.record import Reading
 from grader.bench.statistics import Run, interleaved, ratios
 from grader.oracle.generated import landscape
 from grader.sandbox.nursery import Nursery
-from grader.sandbox.scratch import scratch_folder
 
 pytestmark = [pytest.mark.usefixtures("cache"), pytest.mark.xdist_group("bench")]
-
-
-@pytest.fixture(scope="module", name="libraries")
-def built_libraries(cache: Path) -> Iterator[Libraries]:
-    """Build what is compared, once; where confined processes may read it."""
-    del cache
-    with scratch_folder() as folder:
-        yield build_libraries(folder / "libraries")
 
 
 SHORT = ("6b", "6c", "7")
