@@ -6,7 +6,11 @@ from pathlib import Path
 
 from grader.bench import goals
 from grader.bench.programs import program
-from grader.bench.record import Reading, Spread
+from grader.bench.record import Reading
+from grader.bench.statistics import ratios
+
+FIRST = 2
+"""Files of the class whose time is taken off: one for each process, so that all have begun."""
 
 _SOURCE = "// {number}\nint main( {{\n"
 """Does not compile, and is nobody else's: only what a class costs besides is timed."""
@@ -16,20 +20,21 @@ def measured(folder: Path, small: int, large: int) -> list[Reading]:
     """Grade a small and a large class of files that end at the compiler.
 
     Each file is another one, so none is graded for two; a whole grade would hide what the
-    class itself costs behind some seconds a file.
+    class itself costs behind some seconds a file. What the first files take is taken off both:
+    the start of a class would make each file of a small one look dear.
     """
-    few, many = (_graded(folder / f"class-{count}", count) for count in (small, large))
-    each, other = many[0] / large, few[0] / small
+    first, few, many = (
+        _graded(folder / f"class-{count}", count) for count in (FIRST, small, large)
+    )
+    each, other = (
+        (some[0] - first[0]) / (count - FIRST) for some, count in ((many, large), (few, small))
+    )
     detail = f"{1000 * each:.0f} ms of {large:,} / {1000 * other:.0f} ms of {small}"
     memory = f"{many[1]:.0f} MiB / {few[1]:.0f} MiB"
     return [
-        Reading(goals.CLASS_TIME, _once(each / other), detail),
-        Reading(goals.CLASS_MEMORY, _once(many[1] / few[1]), memory),
+        Reading(goals.CLASS_TIME, ratios([each], [other]), detail),
+        Reading(goals.CLASS_MEMORY, ratios([many[1]], [few[1]]), memory),
     ]
-
-
-def _once(value: float) -> Spread:
-    return Spread(value, value, value, 1)
 
 
 def _graded(folder: Path, count: int) -> tuple[float, float]:
@@ -38,7 +43,7 @@ def _graded(folder: Path, count: int) -> tuple[float, float]:
         own = folder / "class" / f"s{number:04}"
         own.mkdir(parents=True)
         (own / "exercise03.cpp").write_text(_SOURCE.format(number=number))
-    words = ["batch", str(folder / "class"), "-o", str(folder / "out"), "--jobs", "2"]
+    words = ["batch", str(folder / "class"), "-o", str(folder / "out"), "--jobs", str(FIRST)]
     outcome = program([sys.executable, "-m", "grader.bench.peers.memory", *words])
     own_kib, _ = json.loads(outcome.out.splitlines()[-1])
     return outcome.seconds, own_kib / 1024

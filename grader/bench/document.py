@@ -5,7 +5,7 @@ from pathlib import Path
 
 from grader.bench.chart import chart_of
 from grader.bench.drawing import png_of, svg_of
-from grader.bench.floor import FLOOR
+from grader.bench.floor import PROFILED, floor_of
 from grader.bench.reasons import FOUND, REASONS
 from grader.bench.record import Reading, Table
 from grader.bench.scale import RAYS
@@ -18,9 +18,10 @@ REMEDY = "name another folder with --write"
 _HEAD = """# How fast the grader is
 
 `bvhgrade bench --write docs` measured and wrote this. A goal is a ratio of two things that
-took turns in one run, with the smallest and the largest of its rounds; but 5b is measured
-after what it is compared with, and for 8 and 8b a small and then a large class are graded,
-once each, of files that do not compile: only what a class costs besides is timed. In 3 and
+took turns in one run, with the smallest and the largest of its rounds; 9 and 9b are seconds.
+But 5b is measured after what it is compared with, and for 8 and 8b a small and then a large
+class are graded, once each, of files that do not compile: only what a class costs besides is
+timed, and what a class of two takes is taken off, since each process has begun then. In 3 and
 3b ours is `bvhgrade check --only build.compiles`, as pytest and check50 do no more there.
 
 What is measured is the median of the rounds' ratios; "of" holds the median of each side, and
@@ -54,7 +55,8 @@ def markdown_of(table: Table) -> str:
         *_goals(table),
         *_costs(table),
         *_peers(table),
-        FLOOR,
+        *([floor_of(table.floor)] if table.floor else []),
+        PROFILED,
     ]
     if table.is_quick:
         parts.insert(
@@ -74,7 +76,7 @@ def _goals(table: Table) -> Iterator[str]:
     yield f"\n![Ratios and costs by size]({NAME}.svg)\n"
     missed = [each for each in table.readings if each.is_met is False]
     if missed:
-        yield f"What is not met, and why, as was found by hand on {FOUND}:\n"
+        yield f"What is not met, and why: measured in this run, or found by hand on {FOUND}.\n"
         yield from _reasons(missed)
         yield ""
 
@@ -83,7 +85,8 @@ def _reasons(missed: Sequence[Reading]) -> Iterator[str]:
     """Tell each reason once, with the goals that it is the reason for."""
     numbers: dict[str, list[str]] = {}
     for reading in missed:
-        reason = REASONS.get(reading.goal.number, "no reason is known yet.")
+        found = REASONS.get(reading.goal.number, "no reason is known yet.")
+        reason = reading.why or found
         numbers.setdefault(reason, []).append(reading.goal.number)
     for reason, of in numbers.items():
         yield f"- **{', '.join(of)}**: {reason}"
@@ -95,12 +98,12 @@ def _costs(table: Table) -> Iterator[str]:
     yield "## Cost by number of faces\n"
     yield (
         "The clear solution on a generated landscape: CPU seconds of one `construct`, of all\n"
-        f"checks of its tree, and of {RAYS:,} scattered rays; `grade` is the time on the\n"
-        "clock of a worker for the tree, the checks, and a worker for the rays.\n"
+        f"checks of its tree, and of {RAYS:,} scattered rays; *together* is the time on\n"
+        "the clock of a worker for the tree, the checks, and a worker for the rays.\n"
     )
-    yield "| faces | construct | check | rays | grade |\n|---:|---:|---:|---:|---:|"
+    yield "| faces | construct | check | rays | together |\n|---:|---:|---:|---:|---:|"
     for size in table.sizes:
-        costs = (size.construct, size.check, size.rays, size.whole)
+        costs = (size.construct, size.check, size.rays, size.together)
         yield f"| {size.faces:,} | " + " | ".join(f"{cost:.3f} s" for cost in costs) + " |"
     if table.growths:
         grown = ", ".join(f"{each.what} {each.exponent:.2f}" for each in table.growths)

@@ -1,6 +1,8 @@
 """What is the least that a grade can take, and how far is the program from it?"""
 
-FLOOR = """## Profiled by hand
+from grader.bench.record import Floor
+
+PROFILED = """## Profiled by hand
 
 On 2026-11-29, at commit 5e29f94; `bvhgrade bench` does not measure it again. Where the time
 of a warm grade of the model solution goes, in CPU seconds (on a busy machine, so a little too
@@ -35,3 +37,14 @@ The fast model solution is not the engine of the reference trees, although its t
 same to the bit (`tests/test_reference.py`): its `construct` was not faster than the clear
 one's, compiling it takes 1.5 s, and the trees are read from the cache ever after.
 """
+
+
+def floor_of(floor: Floor) -> str:
+    """Word how far the program is from the least that it can take."""
+    return (
+        "## The floor\n\n"
+        "The same compilers with the precompiled headers, and the same trees and rays, one\n"
+        f"process for all trials of a build, and nothing else, on {floor.cores} cores that\n"
+        f"are never idle: {floor.least:.2f} s. The program takes {floor.program:.2f} s, "
+        f"{floor.program / floor.least:.2f} times that.\n"
+    )

@@ -1,4 +1,4 @@
-"""Which ratios are aimed at? The numbers are the list's in issue 8, the bounds too."""
+"""Which ratios are aimed at? Numbers and bounds are those of issue 8; 9 and 9b are seconds."""
 
 from grader.bench.record import Goal
 
@@ -7,6 +7,7 @@ CPU = Goal("1b", "complete grade / the same builds and runs by hand, CPU", 1.5)
 PLAIN_WALL = Goal("1c", "complete grade / by hand without sanitizers, wall", 1.10)
 PLAIN_CPU = Goal("1d", "complete grade / by hand without sanitizers, CPU", 1.5)
 CHECK = Goal("2", "all checks of a tree / textbook's construct", 0.20)
+CHECK_SEEN = Goal("2b", "the same checks for a mesh seen before / textbook's construct", None)
 PYTEST = Goal("3", "trivial submission, ours / pytest, wall", 0.6)
 CHECK50 = Goal("3b", "trivial submission, ours / check50, wall", 0.35)
 SANITIZED = Goal("4", "sanitizer compile / plain -O2 compile", 1.15)
@@ -16,6 +17,9 @@ FAST_BUILD = Goal("6", "fast construct / Embree's medium build", 0.9)
 FAST_CAMERA = Goal("6b", "fast camera rays / Embree's, rays per second", 0.6, at_most=False)
 FAST_SCATTERED = Goal("6c", "fast scattered rays / Embree's", 0.45, at_most=False)
 CLEAR_BUILD = Goal("6d", "clear construct / textbook's", 0.6)
+OTHERS_BUILD = Goal("6e", "fast construct and camera rays / tinybvh's and madmann91's", 1.0)
 COUNTED = Goal("7", "rays with counted tests / without", 0.95, at_most=False)
-CLASS_TIME = Goal("8", "class overhead: time for files that end at the compiler", 1.1)
+CLASS_TIME = Goal("8", "time per file that ends at the compiler, large / small class", 1.1)
 CLASS_MEMORY = Goal("8b", "memory of the parent, large class / small class", 1.1)
+QUICK = Goal("9", "seconds of `check --quick` without compilers and workers", 1.5)
+HELP = Goal("9b", "seconds of `bvhgrade --help`, wall", 0.15)

@@ -1,6 +1,7 @@
 """Which libraries are timed, and how are they built? All from sources of ours."""
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -45,7 +46,12 @@ def build_libraries(folder: Path) -> Libraries:
 
 def by_hand(framework: Workspace) -> tuple[str, ...]:
     """Return the command that compiles without what the grader precompiled."""
-    words = list(framework.compile_command)
+    return without_headers(framework.compile_command)
+
+
+def without_headers(command: Sequence[str]) -> tuple[str, ...]:
+    """Take what the grader precompiled out of a command."""
+    words = list(command)
     while "-include" in words:
         place = words.index("-include")
         del words[place : place + 2]

@@ -50,6 +50,9 @@ class Reading:
     detail: str
     """The two quantities in seconds or rays, or why there is no ratio."""
 
+    why: str = ""
+    """Where the time goes, if that was measured: the reason if the goal is not met."""
+
     @property
     def is_met(self) -> bool | None:
         """Whether the goal is met; None if there is no bound or no ratio."""
@@ -74,8 +77,8 @@ class Size:
     rays: float
     """CPU seconds for `scale.RAYS` rays from all around."""
 
-    whole: float
-    """Seconds on the clock for all of it: worker, tree, checks and rays."""
+    together: float
+    """Seconds on the clock for a worker for the tree, the checks, and a worker for the rays."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,11 +117,24 @@ class Growth:
 
 
 @dataclass(frozen=True, slots=True)
+class Floor:
+    """What no grade can do without, spread over all cores, beside a whole grade."""
+
+    least: float
+    """Seconds of the same compilers and the same trees and rays, and of nothing else."""
+
+    program: float
+    """Seconds of a whole grade, wall."""
+
+    cores: int
+
+
+@dataclass(frozen=True, slots=True)
 class Table:
     """Everything that one run of the bench found."""
 
     machine: str
-    """Processor, compiler and Python, for whoever compares two tables."""
+    """Processor, cores, load, compiler and Python, for whoever compares two tables."""
 
     is_quick: bool
     readings: tuple[Reading, ...]
@@ -128,3 +144,5 @@ class Table:
     peers: tuple[Peer, ...]
     remarks: tuple[str, ...]
     """What is not installed, and what disturbed the run."""
+
+    floor: Floor | None = None

@@ -34,7 +34,7 @@ COSTS = (
     _Cost("construct", lambda size: size.construct),
     _Cost("check", lambda size: size.check),
     _Cost("rays", lambda size: size.rays),
-    _Cost("grade", lambda size: size.whole),
+    _Cost("together", lambda size: size.together),
 )
 
 
@@ -48,13 +48,13 @@ def measured(library: Path, faces: int) -> Size:
         tree = timer.tree(library)
         check = check_cost(mesh, tree).cpu
         timer.traced(library, rays)
-        whole = time.monotonic() - begun
+        together = time.monotonic() - begun
         return Size(
             faces=faces,
             construct=timer.construct(library).cpu,
             check=check,
             rays=timer.trace(library, rays).cpu,
-            whole=whole,
+            together=together,
         )
 
 

@@ -16,7 +16,7 @@ def lines_of(table: Table) -> list[str]:
         )
         shown.append(f"{number}  {title}  {goal}  {ratio}  {state}  {row[5]}".rstrip())
     if table.sizes:
-        shown += ["", "    faces  construct     check      rays     grade"]
+        shown += ["", "    faces  construct     check      rays  together"]
         shown += [_size_line(size) for size in table.sizes]
     if table.growths:
         grown = (f"{each.what} {each.exponent:.2f}" for each in table.growths)
@@ -53,7 +53,7 @@ def _cells(reading: Reading) -> tuple[str, str, str, str, str, str]:
 
 
 def _size_line(size: Size) -> str:
-    costs = (size.construct, size.check, size.rays, size.whole)
+    costs = (size.construct, size.check, size.rays, size.together)
     return f"{size.faces:>9,}  " + "  ".join(f"{cost:>6.3f} s" for cost in costs)
 
 

@@ -1,12 +1,13 @@
 """In which order is everything measured, and what becomes of what is not installed?"""
 
+import os
 import platform
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
 
-from grader.bench import classes, compiling, others, scale, solutions, trivial, whole
+from grader.bench import classes, compiling, others, scale, solutions, trivial, waiting, whole
 from grader.bench.libraries import TEXTBOOK, Libraries, build_libraries
 from grader.bench.programs import grader_peak
 from grader.bench.record import Peak, Reading, Size, Table
@@ -33,14 +34,14 @@ class Effort:
     rounds: int
     faces: tuple[int, ...]
     classes: tuple[int, int]
-    """Submissions of the small and of the large class; zeros for neither."""
+    """Submissions of the small and of the large class."""
 
     grades: int
     """Rounds of whole grades."""
 
 
-FULL = Effort("dragon", 512, 65_536, 5, scale.FACES, (10, 100), 5)
-QUICK = Effort("dragon-res2", 128, 8_192, 2, scale.QUICK_FACES, (0, 0), 1)
+FULL = Effort("dragon", 512, 65_536, 5, scale.FACES, (10, 1_000), 5)
+QUICK = Effort("dragon-res2", 128, 8_192, 2, scale.QUICK_FACES, (6, 18), 1)
 
 
 def made(effort: Effort, progress: Progress) -> Table:
@@ -53,17 +54,20 @@ def made(effort: Effort, progress: Progress) -> Table:
     Raises:
         GraderError: Something of ours does not build or does not come back.
     """
+    machine = _machine()
     with scratch_folder() as folder:
         progress("building the solutions that are compared")
         libraries = build_libraries(folder / "libraries")
-        readings = list(_readings(effort, libraries, folder, progress))
+        progress("grading, against compiling and running by hand")
+        graded, floor = whole.measured(folder, effort.grades)
+        readings = [*graded, *_readings(effort, libraries, folder, progress)]
         sizes = tuple(_sizes(effort, libraries.clear, progress))
         peaks = _peaks(effort, folder, progress)
         progress("other ray tracers")
         peers, failed = others.measured(folder)
     numbered = sorted(readings, key=lambda each: each.goal.number)
     return Table(
-        machine=_machine(),
+        machine=machine,
         is_quick=effort is QUICK,
         readings=tuple(numbered),
         sizes=sizes,
@@ -71,15 +75,14 @@ def made(effort: Effort, progress: Progress) -> Table:
         peaks=peaks,
         peers=peers,
         remarks=(*_missing(), *failed),
+        floor=floor,
     )
 
 
 def _readings(
     effort: Effort, libraries: Libraries, folder: Path, progress: Progress
 ) -> Iterator[Reading]:
-    """Measure every goal."""
-    progress("grading, against compiling and running by hand")
-    yield from whole.measured(folder, effort.grades)
+    """Measure every goal but the first."""
     progress("solutions, checks and Embree")
     mesh = load_mesh(effort.mesh)
     course = solutions.course_on(mesh, effort.side, effort.scattered, effort.rounds)
@@ -88,10 +91,11 @@ def _readings(
     yield from compiling.measured(folder, effort.rounds)
     progress("what a program costs before it does anything")
     yield from trivial.measured(folder, effort.rounds)
+    progress("what a quick check and the help take")
+    yield from waiting.measured(folder, effort.rounds)
     small, large = effort.classes
-    if small:
-        progress(f"classes of {small} and of {large:,}")
-        yield from classes.measured(folder, small, large)
+    progress(f"classes of {small} and of {large:,}")
+    yield from classes.measured(folder, small, large)
 
 
 def _sizes(effort: Effort, library: Path, progress: Progress) -> Iterator[Size]:
@@ -113,9 +117,12 @@ def _peaks(effort: Effort, folder: Path, progress: Progress) -> tuple[Peak, ...]
 
 
 def _missing() -> list[str]:
-    missing = [f"{name} is not installed" for name in PEERS if find_spec(name) is None]
-    return [*missing, "tinybvh and madmann91/bvh have no package"]
+    return [f"{name} is not installed" for name in PEERS if find_spec(name) is None]
 
 
 def _machine() -> str:
-    return f"{cpu_name()}, {find_compiler().title}, Python {platform.python_version()}"
+    """Call it before anything is measured: the load is what others do."""
+    cores = len(os.sched_getaffinity(0))
+    busy = f"{cores} cores, load {os.getloadavg()[0]:.2f} at the start"
+    versions = f"{find_compiler().title}, Python {platform.python_version()}"
+    return f"{cpu_name()}, {busy}, {versions}"

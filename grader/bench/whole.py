@@ -9,9 +9,9 @@ from pathlib import Path
 
 from grader.bench import goals
 from grader.bench.compiling import compile_cost
-from grader.bench.libraries import by_hand
+from grader.bench.libraries import without_headers
 from grader.bench.programs import grader_cost
-from grader.bench.record import Cost, Goal, Reading
+from grader.bench.record import Cost, Floor, Goal, Reading
 from grader.bench.statistics import interleaved, ratios, spread
 from grader.build.compile import compile_submission
 from grader.build.compiler import find_compiler, sanitizer_runtime
@@ -21,12 +21,13 @@ from grader.errors import BuildFault, WorkerFault
 from grader.model.grade import CompileLimits
 from grader.model.stages import Stop, Submission
 from grader.model.trials import RebuildTrial, RepeatTrial, Trial
+from grader.oracle.plan import deeper_trials
 from grader.output import RESULT
 from grader.resources import reference_source
 from grader.run.job import Job
 from grader.run.requests import asked, request
 from grader.run.session import Allowance, Engine, run_job
-from grader.run.trials import Engines, is_sanitized
+from grader.run.trials import Engines, at_once, is_sanitized
 from grader.sandbox.selftest import unconfined
 from grader.solution import GENEROUS, Solution
 
@@ -40,40 +41,65 @@ ROOMY = replace(GENEROUS, memory_mib=1 << 15)
 _ALLOWED = Allowance(600.0, 3600.0)
 
 
-def measured(folder: Path, rounds: int) -> list[Reading]:
+def measured(folder: Path, rounds: int) -> tuple[list[Reading], Floor]:
     """Grade the model solution, and compile and run it by hand, in turns.
 
     By hand means: compile the one file with each of the flags of a grade and without anything
     precompiled, then build every tree and trace every ray of the trials, all of it one after
-    the other and unconfined, and look at no result. Once with the sanitized builds and their
-    trials, as a grade has them, and once without.
+    the other and unconfined, and look at no result. Once with the graph of calls, the sanitized
+    builds and their trials, as a grade has them, and once without.
     """
-    trials = Solution().plan(SEED).trials
+    trials = [*Solution().plan(SEED).trials, *deeper_trials(SEED)]
     plain = [trial for trial in trials if not is_sanitized(trial)]
     watched = [trial for trial in trials if is_sanitized(trial)]
-    graded, small = (workspace(find_compiler(), each) for each in (GRADED, SANITIZED))
-    deep = with_real_depth(by_hand(small))
+    own, *others = _commands()
     engines = _engines(folder / "by-hand")
 
-    def by_hand_of(commands: Sequence[Sequence[str]], run: Sequence[Trial]) -> Cost:
-        costs = [compile_cost(command, reference_source(), folder) for command in commands]
-        return _sum([*costs, _run(engines, run)])
+    def compiled(commands: Sequence[Sequence[str]]) -> Cost:
+        return _sum([compile_cost(command, reference_source(), folder) for command in commands])
 
     runs: dict[str, Callable[[], Cost]] = {
         "grade": lambda: graded_cost(unseen(reference_source(), folder), folder / "graded"),
-        "plain": lambda: by_hand_of([by_hand(graded)], plain),
-        "sanitized": lambda: by_hand_of([by_hand(small), deep], watched),
+        "build": lambda: compiled([without_headers(own)]),
+        "builds": lambda: compiled([without_headers(command) for command in others]),
+        "precompiled": lambda: compiled([own, *others]),
+        "run": lambda: _run(engines, plain),
+        "sanitized": lambda: _run(engines, watched),
     }
     costs = interleaved(runs, rounds)
-    costs["both"] = [
-        _sum(pair) for pair in zip(costs["plain"], costs["sanitized"], strict=True)
-    ]
-    return [
+    costs["plain"] = _summed(costs, "build", "run")
+    costs["both"] = _summed(costs, "plain", "builds", "sanitized")
+    readings = [
         _compared(goals.WALL, costs, "both", lambda cost: cost.wall),
         _compared(goals.CPU, costs, "both", lambda cost: cost.cpu),
         _compared(goals.PLAIN_WALL, costs, "plain", lambda cost: cost.wall),
         _compared(goals.PLAIN_CPU, costs, "plain", lambda cost: cost.cpu),
     ]
+    return readings, _floor(costs)
+
+
+def _commands() -> list[tuple[str, ...]]:
+    """All compilations of a grade, that of the graded library first."""
+    graded, small = (workspace(find_compiler(), each) for each in (GRADED, SANITIZED))
+    graph = (*graded.graph_command, "-S")
+    deep = with_real_depth(small.compile_command)
+    return [graded.compile_command, graph, small.compile_command, deep]
+
+
+def _floor(costs: dict[str, list[Cost]]) -> Floor:
+    """Spread over all cores what no grade can do without."""
+    cores = at_once()
+    least = _summed(costs, "precompiled", "run", "sanitized")
+    return Floor(
+        spread([cost.cpu / cores for cost in least]).median,
+        spread([cost.wall for cost in costs["grade"]]).median,
+        cores,
+    )
+
+
+def _summed(costs: dict[str, list[Cost]], *names: str) -> list[Cost]:
+    """Add up some runs, round by round."""
+    return [_sum(each) for each in zip(*(costs[name] for name in names), strict=True)]
 
 
 def graded_cost(source: Path, out: Path) -> Cost:

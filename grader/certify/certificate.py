@@ -5,12 +5,13 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from grader.certify.corpus import Wrong, checkout, name_of
-from grader.certify.fates import FATES, Counts, share_caught, stored_counts
+from grader.certify.fates import FATES, Counts, share_caught, stored_counts, stored_mutants
 from grader.certify.holes import Kind, full_marks, holes, without_killer
 from grader.certify.matrix import stored_states
 from grader.certify.row import Row
 from grader.certify.seeds import stored_tried, tried_lines
-from grader.certify.smallest import smallest_lines, stored_smallest
+from grader.certify.smallest import failing_pairs, smallest_lines, stored_smallest
+from grader.certify.state import states_told
 from grader.score.rubric import load_rubric
 
 BEGIN = """\
@@ -60,7 +61,7 @@ SMALLEST = """
 ## Smallest counterexamples
 
 For each failed check the grader looks for a small input that fails it, too. Stored by
-`bvhgrade certify --counterexamples`.
+`bvhgrade certify --counterexamples`. A state is here also one of what looks for them.
 
 - *Failed*: wrong submissions that fail the check, as far as they were searched.
 - *Found*: those with a small input.
@@ -95,8 +96,13 @@ def certificate(rows: Sequence[Row], wrong: Sequence[Wrong]) -> str:
     """Word what the rows of the stored matrix say."""
     corpus = _summary(rows, wrong) + KILLERS + "".join(kill_lines(rows, wrong))
     seeds = SEEDS + "".join(tried_lines(stored_tried()))
-    smallest = SMALLEST + "".join(smallest_lines(stored_smallest()))
-    return BEGIN + corpus + seeds + smallest + MUTANTS + "".join(mutant_lines(stored_counts()))
+    killed = (row for row in rows if not row.name.startswith("right/"))
+    sizes = smallest_lines(stored_smallest(), failing_pairs(killed))
+    smallest = SMALLEST + "".join(sizes)
+    states = states_told(stored_mutants().elements())
+    mutants = MUTANTS + f"By state of the grader: {states}.\n\n"
+    mutants += "".join(mutant_lines(stored_counts()))
+    return BEGIN + corpus + seeds + smallest + mutants
 
 
 def kill_lines(rows: Iterable[Row], wrong: Iterable[Wrong]) -> list[str]:
@@ -132,9 +138,9 @@ def _summary(rows: Sequence[Row], wrong: Sequence[Wrong]) -> str:
     right = sum(row.name.startswith("right/") for row in rows)
     full = sum(full_marks().values())
     lines = [f"| {kind.value} | {count} |\n" for kind, count in counts.items()]
-    states = (f"`{state}` {count}" for state, count in sorted(stored_states().items()))
+    states = states_told(stored_states().elements())
     return (
         f"\n{right} right files have to earn {full:g} points, {len(wrong)} wrong ones less.\n"
-        f"Graded by state of the grader: {', '.join(states)}.\n"
+        f"Graded by state of the grader: {states}.\n"
         f"\n| what could be wrong | found |\n|---|---:|\n{''.join(lines)}"
     )

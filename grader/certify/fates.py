@@ -2,6 +2,7 @@
 
 import csv
 import tomllib
+from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum
@@ -128,6 +129,14 @@ def stored_counts() -> dict[str, Counts]:
     """Read the stored counts of each original."""
     lines = _stored_lines().items()
     return {name: {fate: int(line[fate]) for fate in FATES} for name, line in lines}
+
+
+def stored_mutants() -> Counter[str]:
+    """How many mutants each state of the grader studied; an empty one is unknown."""
+    states: Counter[str] = Counter()
+    for line in _stored_lines().values():
+        states[str(line["grader"])] += _size(line)
+    return states
 
 
 def _stored_lines() -> dict[str, Mapping[str, str | int]]:

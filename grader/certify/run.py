@@ -44,15 +44,15 @@ def certified_rows(work: Work, ledger: Ledger, tell: Callable[[Row], None]) -> l
     Args:
         work: Which submissions, which seeds.
         ledger: Where results are kept.
-        tell: Called with each new row, at once.
+        tell: Called with each new row, at once; a row that it refuses is not kept.
     """
     orders = [(path, seed) for path in work.paths for seed in work.seeds]
     waiting = orders if work.again else _undecided(orders, ledger)
     for attempt in range(ATTEMPTS):
         for rows in mapped(graded_rows, _by_file(waiting), 1 if attempt else work.jobs):
             for row in rows:
-                ledger.add(row)
                 tell(row)
+                ledger.add(row)
         waiting = _undecided(waiting, ledger)
         if not waiting:
             break
@@ -82,8 +82,8 @@ def studied_mutants(
     waiting = [(one, work.seed) for one in work.mutants if one.digest not in done]
     for studied in mapped(study_or_none, waiting, work.jobs):
         if studied:
-            ledger.add_studied(studied)
             tell(studied)
+            ledger.add_studied(studied)
     done = known()
     return [done[mutant.digest] for mutant in work.mutants if mutant.digest in done]
 

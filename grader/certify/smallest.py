@@ -6,7 +6,7 @@ no point, and so has no place in the rows of the matrix.
 
 import csv
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from shutil import rmtree
 from statistics import median
@@ -15,6 +15,8 @@ from tempfile import TemporaryDirectory
 from grader.certify.corpus import corpus_folder, digest_of, name_of
 from grader.certify.ledger import Ledger
 from grader.certify.matrix import SEED
+from grader.certify.row import Row
+from grader.certify.state import states_told
 from grader.counterexample.written import to_text
 from grader.errors import GraderError
 from grader.model.cases import BuildCase, SourceCase
@@ -28,7 +30,7 @@ from grader.verify import every_check
 ENTRY = "smallest"
 """What a ledger calls the sizes of one file."""
 
-COLUMNS = ("check", "submission", "faces", "rays")
+COLUMNS = ("check", "submission", "faces", "rays", "grader")
 
 WITHOUT_INPUT = frozenset(
     each.id for each in every_check() if each.kind in (BuildCase, SourceCase)
@@ -46,6 +48,8 @@ class Smallest:
     """None if no small input was found."""
 
     rays: int | None
+    grader: str = ""
+    """State of the grader that looked for it; empty until it is stored, or if unknown."""
 
 
 def smallest_file() -> Path:
@@ -107,7 +111,7 @@ def searched(
         paths: Wrong submissions.
         jobs: How many processes.
         ledger: Where results are kept.
-        tell: Called with each file and what was found, at once.
+        tell: Called with each file and what was found, at once; what it refuses is not kept.
         into: A folder for the inputs; what is missing there is searched, too.
     """
     keys = {(name_of(path), digest_of(path)): path for path in paths}
@@ -129,20 +133,22 @@ def searched(
     orders = [(keys[key], into) for key in waiting]
     results = mapped(smallest_inputs, orders, jobs)
     for (name, digest), found in zip(waiting, results, strict=True):
+        tell(name, found)
         if found is not None:
             sizes = [asdict(one) for one in found]
             ledger.enter(ENTRY, {"name": name, "digest": digest, "sizes": sizes})
-        tell(name, found)
     return [one for found in known().values() for one in found]
 
 
-def store_smallest(found: Sequence[Smallest], known: Iterable[Path]) -> None:
+def store_smallest(found: Sequence[Smallest], known: Iterable[Path], grader: str) -> None:
     """Write the sizes of these files, and keep those of others.
 
     Args:
         found: All that was found of some files.
         known: All files there are; sizes of others are dropped.
+        grader: The state of the grader that found them.
     """
+    found = [replace(one, grader=grader) for one in found]
     fresh = {one.submission for one in found}
     names = {name_of(path) for path in known}
     kept = [one for one in stored_smallest() if one.submission in names - fresh]
@@ -160,7 +166,11 @@ def stored_smallest() -> list[Smallest]:
     with smallest_file().open(newline="") as file:
         return [
             Smallest(
-                line["check"], line["submission"], _number(line["faces"]), _number(line["rays"])
+                line["check"],
+                line["submission"],
+                _number(line["faces"]),
+                _number(line["rays"]),
+                line["grader"],
             )
             for line in csv.DictReader(file)
         ]
@@ -170,10 +180,24 @@ def _number(text: str) -> int | None:
     return int(text) if text else None
 
 
-def smallest_lines(sizes: Sequence[Smallest]) -> list[str]:
-    """Word the table: a line for each check, and all of them together."""
-    lines = ["| check | failed | found | faces | rays | most faces |\n"]
-    lines.append("|---" + "|---:" * 5 + "|\n")
+def failing_pairs(rows: Iterable[Row]) -> int:
+    """Count files and checks that fail with them, as far as an input can be looked for."""
+    return sum(check not in WITHOUT_INPUT for row in rows for check in row.failed)
+
+
+def smallest_lines(sizes: Sequence[Smallest], pairs: int) -> list[str]:
+    """Word the table: a line for each check, and all of them together.
+
+    Args:
+        sizes: What was stored.
+        pairs: How many files and checks could have been searched.
+    """
+    lines = [
+        f"Searched: {len(sizes)} of {pairs} failing pairs of a file and a check.\n",
+        f"By state of the grader: {states_told(one.grader for one in sizes)}.\n\n",
+        "| check | failed | found | faces | rays | most faces |\n",
+        "|---" + "|---:" * 5 + "|\n",
+    ]
     for each in every_check():
         mine = [one for one in sizes if one.check == each.id]
         if mine:

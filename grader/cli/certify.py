@@ -1,6 +1,6 @@
 """The command that grades the grader: does it accept what is right and see what is wrong?"""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -83,31 +83,38 @@ def certify(
         undecided = search(match, **given)
         write_certificate()
         raise Exit(LOST_POINTS if undecided else FULL_MARKS)
-    from grader.certify.matrix import stored_rows
+    against = judged(match, stored, sample, given)
+    raise Exit(LOST_POINTS if against else FULL_MARKS)
 
-    paths = asked_for(match, sample)
-    rows = stored_rows(paths) if stored else graded_rows(paths, **given)
+
+def judged(match: str, stored: bool, sample: bool, given: Mapping[str, Any]) -> bool:
+    """Grade the corpus, store and tell it; True if anything speaks against the grader."""
+    from grader.certify.matrix import stored_rows
+    from grader.identity import grader_digest
+
+    grader = grader_digest()
+    paths = asked_for(match, sample, grader)
+    rows = stored_rows(paths) if stored else graded_rows(paths, grader, **given)
     found = holes_of(rows, not match)
     if not sample:
         if not stored:
-            keep(rows, found, not match)
+            keep(rows, found, not match, grader)
         write_certificate()
     print_holes(rows, found)
     differs = sample and print_differences(rows)
-    raise Exit(LOST_POINTS if found or differs else FULL_MARKS)
+    return bool(found) or differs
 
 
-def asked_for(match: str, sample: bool) -> list[Path]:
-    """Choose files of the corpus.
+def asked_for(match: str, sample: bool, grader: str) -> list[Path]:
+    """Choose files of the corpus; a sample by the state of the grader.
 
     Raises:
         UsageError: There is no such file.
     """
     from grader.certify.corpus import every_submission, name_of
     from grader.certify.sample import sampled
-    from grader.identity import grader_digest
 
-    every = sampled(grader_digest()) if sample else every_submission()
+    every = sampled(grader) if sample else every_submission()
     paths = [path for path in every if match in name_of(path)]
     if not paths:
         raise UsageError(f"--match {match}: no submission of the corpus has such a name")
@@ -116,6 +123,7 @@ def asked_for(match: str, sample: bool) -> list[Path]:
 
 def graded_rows(
     paths: Sequence[Path],
+    grader: str,
     seeds: int,
     jobs: int,
     again: bool,
@@ -125,28 +133,33 @@ def graded_rows(
     from grader.certify.ledger import Ledger, usual_ledger
     from grader.certify.matrix import SEED
     from grader.certify.run import Work, certified_rows
-    from grader.identity import grader_digest
+    from grader.certify.state import require_unchanged
 
     def tell(row: "Row") -> None:
+        require_unchanged(grader)
         marks = [*row.failed, *(f"BROKEN {line_for_terminal(each)}" for each in row.broken)]
         scores = " ".join(f"{score:g}" for score in row.scores)
         click.echo(f"{row.seed} {row.name}  {scores}  {' '.join(marks)}")
 
     work = Work(paths, range(SEED, SEED + seeds), jobs, again)
-    rows = certified_rows(work, Ledger(usual_ledger(), grader_digest()), tell)
+    rows = certified_rows(work, Ledger(usual_ledger(), grader), tell)
     print_matrix(rows)
     return rows
 
 
-def keep(rows: "Sequence[Row]", found: "Sequence[Hole]", whole: bool) -> None:
-    """Store the decided rows of the matrix's seed, and the sum of a run over everything."""
+def keep(rows: "Sequence[Row]", found: "Sequence[Hole]", whole: bool, grader: str) -> None:
+    """Store the decided rows of the matrix's seed, and the sum of a run over everything.
+
+    Raises:
+        UsageError: The grader is not the one that graded them any more.
+    """
     from grader.certify.corpus import every_submission, name_of
     from grader.certify.matrix import SEED, store
     from grader.certify.seeds import store_tried, tried
-    from grader.identity import grader_digest
+    from grader.certify.state import require_unchanged
 
+    require_unchanged(grader)
     decided = [row for row in rows if row.seed == SEED and not row.broken]
-    grader = grader_digest()
     store(decided, [name_of(path) for path in every_submission()], grader)
     if whole:
         store_tried(tried(rows, found, grader))

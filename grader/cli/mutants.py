@@ -19,14 +19,21 @@ def study(match: str, mutants: int, seed: int, jobs: int, **_: Any) -> bool:  # 
     from grader.certify.matrix import SEED
     from grader.certify.mutants import chosen_mutants
     from grader.certify.run import MutantWork, studied_mutants
+    from grader.certify.state import require_unchanged
     from grader.identity import grader_digest
 
     chosen = chosen_mutants(mutants, seed, match)
     if not chosen:
         raise UsageError(f"--match {match}: mutants are made of no such submission")
     grader = grader_digest()
+
+    def kept(one: "Studied") -> None:
+        require_unchanged(grader)
+        tell(one)
+
     ledger = Ledger(usual_ledger(), grader)
-    found = studied_mutants(MutantWork(chosen, SEED, jobs), ledger, tell)
+    found = studied_mutants(MutantWork(chosen, SEED, jobs), ledger, kept)
+    require_unchanged(grader)
     store_counts(counts_of(found), seed, grader)
     return tell_all(found, len(chosen))
 

@@ -28,11 +28,12 @@ def replayed(order: "Order", file: Path) -> int:
     """
     from rich.console import Console
 
+    from grader.counterexample.reading import read
     from grader.options import Options
     from grader.replay import replay
     from grader.report.replayed import print_replay
 
-    require_shown(order, file)
+    require_shown(order.rubric, read(file).check, str(file))
     with shown_progress() as progress, interruptible():
         progress("building", 0, 0)
         options = Options(
@@ -51,18 +52,21 @@ def replayed(order: "Order", file: Path) -> int:
     return LOST_POINTS if told.found or told.undecided else FULL_MARKS
 
 
-def require_shown(order: "Order", file: Path) -> None:
-    """Refuse a file of a check that the rubric hides: anybody can write one.
+def require_shown(rubric: Path | None, check: str, named: str) -> None:
+    """Refuse a check that the rubric hides: anybody can write a file of one.
+
+    Args:
+        rubric: The instructor's rubric; None for the shipped one.
+        check: Its id.
+        named: What named it, for the message.
 
     Raises:
-        UsageError: It is of such a check, or no counterexample.
+        UsageError: It is hidden.
     """
-    from grader.counterexample.reading import read
     from grader.selection import select
 
-    check = read(file).check
-    if check in select(order.rubric, (), order.for_student).hidden:
-        raise UsageError(f"{file}: the rubric hides {check}, so it is not run here")
+    if check in select(rubric, (), for_student=True).hidden:
+        raise UsageError(f"{named}: the rubric hides {check}, so it is not run here")
 
 
 def require_alone() -> None:

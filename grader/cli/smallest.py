@@ -24,6 +24,7 @@ def search(
     from grader.certify.corpus import every_submission, name_of, wrong_submissions
     from grader.certify.ledger import Ledger, usual_ledger
     from grader.certify.smallest import searched, store_smallest
+    from grader.certify.state import require_unchanged
     from grader.identity import WITHOUT_SIZES, grader_digest
 
     paths = [one.path for one in wrong_submissions() if match in name_of(one.path)]
@@ -31,15 +32,17 @@ def search(
         raise UsageError(f"--match {match}: no wrong submission has such a name")
     if into:
         ready(into)
-    undecided = []
+    undecided, grader = [], grader_digest(WITHOUT_SIZES)
 
     def tell(name: str, found: "Sequence[Smallest] | None") -> None:
+        require_unchanged(grader, WITHOUT_SIZES)
         if found is None:
             undecided.append(name)
         click.echo(f"{name}: {worded(found)}")
 
-    ledger = Ledger(usual_ledger(), grader_digest(WITHOUT_SIZES))
-    store_smallest(searched(paths, jobs, ledger, tell, into), every_submission())
+    sizes = searched(paths, jobs, Ledger(usual_ledger(), grader), tell, into)
+    require_unchanged(grader, WITHOUT_SIZES)
+    store_smallest(sizes, every_submission(), grader)
     return bool(undecided)
 
 

@@ -14,6 +14,7 @@ from grader.cli.options import (
     unsafe_option,
 )
 from grader.cli.progress import silent
+from grader.cli.replaying import require_shown
 from grader.cli.status import stop
 from grader.errors import UsageError
 from grader.language import usual_language
@@ -44,6 +45,7 @@ def view(submission: Path, web: bool, **given: Any) -> None:  # noqa: ANN401 - c
     Exit status: 0 closed, 1 the submission does not compile, or ended before its picture in a
     file was whole, 2 wrong usage, or a check that does not fail, 3 nothing can be shown.
     """
+    from grader.counterexample.reading import read
     from grader.options import Options
     from grader.view.opening import Wish, opening
 
@@ -52,8 +54,11 @@ def view(submission: Path, web: bool, **given: Any) -> None:  # noqa: ANN401 - c
         raise UsageError("--scene and --check both say what to begin with; give one of them")
     if web and screenshot:
         raise UsageError("--web and --screenshot both say where to show it; give one of them")
+    if check:
+        named = read(Path(check)).check if check.endswith(".json") else check
+        require_shown(given["rubric"], named, f"--check {check}")
     isolated = not given["unsafe_no_isolation"]
-    options = Options(SEED, given["rubric"], (), silent, isolated=isolated)
+    options = Options(SEED, given["rubric"], (), silent, isolated=isolated, for_student=True)
     language = given["language"] or usual_language()
     with interruptible():
         trouble = opening(Wish(submission, options, scene, check, language), web, screenshot)

@@ -225,7 +225,13 @@ ENDINGS: tuple[Hypothesis, ...] = (
         "stack.overflows",
         "The stack of nodes that wait is too small for deep trees, and is "
         "written beyond its end.",
-        r"stack-buffer-overflow|out of bounds for type",
+        # A stack of nodes has some room; three coordinates, or two children, have less.
+        r"out of bounds for type '[^'\[]*\[(?:[89]|\d\d+)\]",
+    ),
+    _found(
+        "memory.past-the-end",
+        "A local array is used beyond its end.",
+        r"stack-buffer-overflow|out of bounds for type '[^'\[]*\[[0-7]\]",
     ),
     _detail(
         "end.not-defined",
@@ -251,7 +257,7 @@ ENDINGS: tuple[Hypothesis, ...] = (
     ),
     _place(
         "end.sixteen-bits",
-        "Something counts in 16 bits, which end at 65,535.",
+        "Something ends near 65,536: a count in 16 bits, or an array of fixed size.",
         lambda trial: _faces(trial) >= BEYOND_16_BITS,
         CRASHED,
     ),

@@ -1,9 +1,8 @@
-"""A tiny bench runs from end to end, and two ratios are no multiple of what they were.
+"""A tiny bench runs from end to end, and no ratio is twice what it was.
 
 How many seconds anything takes is nobody's test.
 """
 
-from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
 
@@ -11,22 +10,15 @@ import pytest
 
 from grader.bench import compiling, scale, solutions
 from grader.bench.boxes import Timer
-from grader.bench.libraries import Libraries, build_libraries
+from grader.bench.libraries import Libraries
+from grader.bench.rays import scattered_rays
 from grader.bench.record import Reading
+from grader.bench.solutions import NO_PACKAGE
 from grader.bench.statistics import Run, interleaved, ratios
 from grader.oracle.generated import landscape
 from grader.sandbox.nursery import Nursery
-from grader.sandbox.scratch import scratch_folder
 
 pytestmark = [pytest.mark.usefixtures("cache"), pytest.mark.xdist_group("bench")]
-
-
-@pytest.fixture(scope="module", name="libraries")
-def built_libraries(cache: Path) -> Iterator[Libraries]:
-    """Build what is compared, once; where confined processes may read it."""
-    del cache
-    with scratch_folder() as folder:
-        yield build_libraries(folder / "libraries")
 
 
 SHORT = ("6b", "6c", "7")
@@ -41,36 +33,47 @@ def has_ratio(reading: Reading) -> bool:
 
 
 def test_every_solution_is_timed(libraries: Libraries, tmp_path: Path) -> None:
-    """Six ratios come back, Embree's among them: the package depends on embreex."""
+    """Seven ratios come back, Embree's among them: the package depends on embreex."""
     course = solutions.course_on(landscape(20_000, 1), 64, 4_000, rounds=2)
-    readings = solutions.measured(course, libraries, tmp_path)
-    assert [reading.goal.number for reading in readings] == ["2", "6d", "6", "6b", "6c", "7"]
+    *readings, others = solutions.measured(course, libraries, tmp_path)
+    numbers = [reading.goal.number for reading in readings]
+    assert numbers == ["2", "2b", "6d", "6", "6b", "6c", "7"]
     assert all(map(has_ratio, readings))
+    # Nobody can fetch these, so that the table has a gap, and says why.
+    assert (others.goal.number, others.ratio, others.detail) == ("6e", None, NO_PACKAGE)
 
 
-GUARDED = {"check": ("textbook", 0.57), "fast": ("clear", 1.02)}
-"""What is held against what, and the ratio of their seconds by docs/performance.md."""
+GUARDED = {
+    ("check", "textbook"): 0.46,
+    ("clear", "textbook"): 0.46,
+    ("fast", "clear"): 1.03,
+    ("clear rays", "textbook rays"): 0.62,
+    ("fast rays", "textbook rays"): 0.38,
+}
+"""Ratios of CPU seconds: medians of four rounds beside ten other programs, of which the single
+rounds were up to 1.4 times as much."""
 
-WORSE = 3.0
-"""So many times the ratio is no noise: beside twenty programs it changed by a half."""
+WORSE = 1.8
+"""So many times the ratio is no noise; `test_instructions.py` sees less than that."""
 
 
-def test_what_is_timed_did_not_become_a_multiple(libraries: Libraries) -> None:
-    """All checks of a tree, and the fast model solution's `construct`, in CPU seconds."""
+def test_what_is_timed_did_not_become_twice_as_slow(libraries: Libraries) -> None:
+    """All checks of a tree, and `construct` and rays of our solutions, in CPU seconds."""
     mesh = landscape(250_000, 1)
+    rays = scattered_rays(mesh, 20_000)
     with Nursery() as nursery:
         timer = Timer(nursery, mesh)
         tree = timer.tree(libraries.clear)
         runs: dict[str, Run] = {
             "check": lambda: solutions.check_cost(mesh, tree),
-            **{
-                name: partial(timer.construct, getattr(libraries, name))
-                for name in ("textbook", "clear", "fast")
-            },
         }
-        costs = interleaved(runs, rounds=4)
+        for name in ("textbook", "clear", "fast"):
+            library = getattr(libraries, name)
+            runs[name] = partial(timer.construct, library)
+            runs[f"{name} rays"] = partial(timer.trace, library, rays, 3)
+        costs = interleaved(runs, rounds=5)
     cpu = {name: [each.cpu for each in found] for name, found in costs.items()}
-    for name, (other, before) in GUARDED.items():
+    for (name, other), before in GUARDED.items():
         ratio = ratios(cpu[name], cpu[other])
         assert ratio is not None, (name, cpu)
         assert ratio.median < WORSE * before, (name, cpu)

@@ -1,5 +1,6 @@
 """What becomes of a mutant is found out, stored and counted."""
 
+from collections import Counter
 from pathlib import Path
 
 import pytest
@@ -69,7 +70,15 @@ def test_a_small_sample_does_not_replace_a_large_one(
     fates.store_counts(second, 2, grader)
     lines = (tmp_path / "mutants.csv").read_text().splitlines()
     assert lines[1].startswith(f"x.cpp,2,{grader}," if kept else "x.cpp,1,abc,")
+    studied = Counter({"abc": 3})  # those of y.cpp
+    studied[grader if kept else "abc"] += size if kept else 3
+    assert fates.stored_mutants() == studied
     assert fates.stored_counts() == {**(second if kept else first), "y.cpp": first["x.cpp"]}
+
+
+def test_enough_of_the_stored_mutants_are_caught() -> None:
+    """At least 97 of 100 that nobody has explained."""
+    assert share_caught(fates.stored_counts().values()) >= 0.97
 
 
 def test_every_explanation_is_of_a_mutant() -> None:

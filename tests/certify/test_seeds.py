@@ -56,10 +56,20 @@ def test_fewer_seeds_do_not_replace_more(seeds: int, grader: str, kept: bool) ->
     assert stored_tried() == (second if kept else first)
 
 
+def test_flaky_is_told_only_of_what_ran_twice() -> None:
+    """Two runs of one seed can differ; two seeds are no two runs."""
+    once = [row("right/x.cpp", seed) for seed in (41, 42)]
+    assert "UNSTEADY" not in tried(once, [], "abc").found
+    found = [Hole(Kind.UNSTEADY, "x")]
+    run = tried([*once, row("right/x.cpp", 41)], found, "abc")
+    assert f"| {Kind.UNSTEADY.value} | 1 |\n" in tried_lines(run)
+
+
 def test_a_run_is_worded() -> None:
     """A line for each kind of hole, and what was graded."""
     run = tried([row("right/x.cpp", seed) for seed in (41, 42, 43)], [], "abc")
     text = "".join(tried_lines(run))
     assert "All 1 files were graded with 3 seeds (41 to 43): 3 grades,\nby state `abc`" in text
-    assert [line.endswith(" | 0 |") for line in text.splitlines()[-len(Kind) :]] == [True] * 7
+    told = [line for line in text.splitlines() if line.endswith(" | 0 |")]
+    assert [line.startswith("| flaky") for line in told] == [False] * (len(Kind) - 1)
     assert tried_lines(None) == ["The whole corpus was graded with no other seed yet.\n"]

@@ -14,9 +14,11 @@ from grader.certify import ledger as ledgers
 from grader.certify.corpus import corpus_folder, name_of
 from grader.certify.ledger import Ledger
 from grader.certify.matrix import FAILED, stored_lines
+from grader.certify.row import Row
 from grader.certify.smallest import (
     WITHOUT_INPUT,
     Smallest,
+    failing_pairs,
     searched,
     smallest_inputs,
     smallest_lines,
@@ -26,6 +28,7 @@ from grader.certify.smallest import (
 from grader.cli import cli
 from grader.counterexample.written import to_text
 from grader.errors import GraderError
+from grader.identity import WITHOUT_SIZES, grader_digest
 from grader.model.verdict import Verdict
 from grader.resources import reference_source
 from tests.report import samples
@@ -72,22 +75,34 @@ def test_what_is_stored_is_of_failed_checks() -> None:
 def test_only_what_was_searched_is_written_anew(stored: Path, tmp_path: Path) -> None:
     """Sizes of other files stay, and those of files that are gone do not."""
     paths = files(tmp_path, "a.cpp", "b.cpp")
-    store_smallest(FOUND, paths)
+    store_smallest(FOUND, paths, "older")
     assert stored.read_text().splitlines()[:2] == [
-        "check,submission,faces,rays",
-        f"{TIGHT},wrong/a.cpp,5,0",
+        "check,submission,faces,rays,grader",
+        f"{TIGHT},wrong/a.cpp,5,0,older",
     ]
-    store_smallest([Smallest(MEDIAN, "wrong/a.cpp", 7, 0)], paths)
-    assert stored_smallest() == [Smallest(MEDIAN, "wrong/a.cpp", 7, 0), FOUND[2]]
+    store_smallest([Smallest(MEDIAN, "wrong/a.cpp", 7, 0)], paths, "newer")
+    assert stored_smallest() == [
+        Smallest(MEDIAN, "wrong/a.cpp", 7, 0, "newer"),
+        replace(FOUND[2], grader="older"),
+    ]
 
 
 def test_medians_are_told_by_check_and_of_all() -> None:
     """What was not found counts as failed, and has no size; part a has no rays."""
-    assert [line.strip() for line in smallest_lines(FOUND)[2:]] == [
+    assert [line.strip() for line in smallest_lines(FOUND, 9)[4:]] == [
         f"| `{TIGHT}` | 1 | 1 | 5 |  | 5 |",
         f"| `{CLOSEST}` | 3 | 2 | 6 | 1.5 | 9 |",
         "| all | 4 | 3 | 5 | 1.5 | 9 |",
     ]
+
+
+def test_a_sample_says_so_and_who_searched_it() -> None:
+    """How many pairs there are without an input tells how far the medians can be believed."""
+    rows = [Row("wrong/a.cpp", "0", 41, (), (TIGHT, CLOSEST, "source.construct-loops"))]
+    assert failing_pairs(rows) == 2
+    searched_once, by_state, *_ = smallest_lines([FOUND[0], replace(FOUND[1], grader="s")], 2)
+    assert searched_once == "Searched: 2 of 2 failing pairs of a file and a check.\n"
+    assert by_state.strip() == "By state of the grader: `s` 1, `unknown` 1."
 
 
 def test_a_grade_gives_the_size_of_each_failed_check(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -180,7 +195,8 @@ def test_the_command_stores_and_tells(
     result = CliRunner().invoke(cli, ["certify", "--counterexamples", "--match", name])
     assert result.exit_code == 0, result.output
     assert f"wrong/{name}: {CLOSEST} 2 faces 1 rays" in result.output
-    assert stored_smallest() == found
+    grader = grader_digest(WITHOUT_SIZES)
+    assert stored_smallest() == [replace(one, grader=grader) for one in found]
     assert "| all | 1 | 1 | 2 | 1 | 2 |\n" in (tmp_path / "certificate.md").read_text()
 
 

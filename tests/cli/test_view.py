@@ -7,7 +7,10 @@ from pathlib import Path
 import pytest
 
 from grader import resources
+from grader.counterexample.written import to_text
 from tests.cli.calls import call
+from tests.report.small_inputs import small
+from tests.test_selection import hiding
 from tests.view import sources
 
 FILE = str(resources.reference_source())
@@ -29,6 +32,18 @@ def test_a_wrong_call_is_told(words: tuple[str, ...], told: str) -> None:
     result = call("view", FILE, *words)
     assert result.exit_code == 2
     assert told in result.output
+
+
+@pytest.mark.usefixtures("cache")
+def test_a_hidden_check_is_not_shown(tmp_path: Path) -> None:
+    """Neither searched for nor opened from a file, which anybody can write."""
+    rubric, file = str(hiding(tmp_path, small().check)), tmp_path / "input.json"
+    file.write_text(to_text(small()))
+    for named in (small().check, str(file)):
+        result = call("view", FILE, "--check", named, "--rubric", rubric)
+        assert result.exit_code == 2, result.output
+        told = f"the rubric hides {small().check}, so it is not run here"
+        assert told in " ".join(result.output.split())
 
 
 def test_without_a_display_other_ways_are_named(

@@ -11,8 +11,9 @@ from grader.diagnose import every_hypothesis
 from grader.diagnose.causes import likely_causes
 from grader.diagnose.notes import Notes
 from grader.diagnose.patterns import explained, likeness, patterns
-from grader.model.cases import TreeCase
+from grader.model.cases import MemoryCase, TreeCase
 from grader.model.mesh import Bvh, Floats
+from grader.model.stages import Ending, Stop
 from grader.model.trials import ConstructTrial
 from grader.verify import every_check
 from tests.diagnose import table
@@ -22,6 +23,11 @@ AXIS, MEDIAN, BOXES = (
     "bvh.splits-the-longest-axis",
     "bvh.splits-at-the-median",
     "bvh.boxes-are-tight",
+)
+MEMORY = "hits.memory-is-safe"
+ARRAY = "A local array is used beyond its end."
+STACK = (
+    "The stack of nodes that wait is too small for deep trees, and is written beyond its end."
 )
 LEAVES = "bvh.leaves-hold-at-most-four"
 
@@ -76,6 +82,23 @@ def test_only_checks_that_a_mistake_can_make_fail_get_it_as_a_cause() -> None:
     """Boxes that a test says are wrong are not explained by an axis."""
     notes = trees(Reading(axis=lambda _: 0))
     assert set(likely_causes(notes, [AXIS, BOXES])) == {AXIS}
+
+
+@pytest.mark.parametrize(
+    ("finding", "sentence"),
+    [
+        ("index 8 out of bounds for type 'unsigned int [8]'", STACK),
+        ("index 16 out of bounds for type 'Node[16]'", STACK),
+        ("index 7 out of bounds for type 'float [7]'", ARRAY),
+        ("index 3 out of bounds for type 'int [3][64]'", ARRAY),
+        ("stack-buffer-overflow", ARRAY),
+    ],
+)
+def test_an_array_is_called_a_stack_only_if_it_has_room(finding: str, sentence: str) -> None:
+    """As compilers word it; AddressSanitizer does not say how long it is."""
+    trial, notes = ConstructTrial("deep", soup(9), sanitized=True), Notes()
+    notes.note(MemoryCase("deep", trial, Ending(Stop.CRASHED, "", 0, 0, "", finding)))
+    assert likely_causes(notes, [MEMORY])[MEMORY].sentence == sentence
 
 
 def test_a_mistake_that_nobody_knows_is_not_named() -> None:
