@@ -10,7 +10,7 @@ import numpy as np
 from grader.errors import MissingTool, OutputFault
 from grader.model.mesh import Bytes
 from grader.view.desk import COMPARING, Desk
-from grader.view.needed import INSTALL
+from grader.view.needed import lacking
 from grader.view.overlay import Stroke, projected
 from grader.view.picture import shown
 from grader.view.preview import Preview
@@ -64,7 +64,7 @@ def surfaceless() -> "moderngl.Context":
     try:
         import moderngl
     except ImportError as fault:
-        raise MissingTool(INSTALL) from fault
+        raise lacking(fault) from fault
     try:
         return moderngl.create_context(require=330, standalone=True, **EGL)
     except Exception as fault:  # moderngl raises nothing more precise
