@@ -121,9 +121,20 @@ def panes(desk: Desk, study: Study, preview: Preview) -> Bytes:
     strokes = [projected(one, orbit, width, height) for one in study.strokes()]
     left = over(preview.pixels(), strokes)
     seen = shown(desk)
-    right = np.full((height, width, 3), EMPTY, np.uint8) if seen is None else seen.pixels
+    empty = np.full((height, width, 3), EMPTY, np.uint8)
+    right = empty if seen is None else stretched(seen.pixels, width, height)
     gap = np.zeros((height, GAP, 3), np.uint8)
     return np.concatenate([left, gap, right], axis=1)
+
+
+def stretched(pixels: Bytes, width: int, height: int) -> Bytes:
+    """Have a picture of another size, by the nearest pixels.
+
+    A process that has ended traces no picture of the size that the pane has now.
+    """
+    rows = np.arange(height) * pixels.shape[0] // height
+    columns = np.arange(width) * pixels.shape[1] // width
+    return np.asarray(pixels[rows[:, None], columns])
 
 
 def over(pixels: Bytes, strokes: Sequence[Stroke]) -> Bytes:
