@@ -175,7 +175,9 @@ class Service:
         if desk.subject is None:
             return
         size = numbers(given, "size", 2)
-        width, height = (int(min(max(side, 16), LARGEST_SIDE)) for side in size)
+        # By one factor, or what is traced has another shape than what the page draws.
+        scale = min(1.0, LARGEST_SIDE / max(*size, 1.0))
+        width, height = (int(max(scale * side, 16)) for side in size)
         orbit = orbit_at(given, desk.subject.home, self._light(desk.subject.mesh))
         if orbit != desk.orbit or (width, height) != desk.size:
             desk.size = width, height
