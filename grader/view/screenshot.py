@@ -51,7 +51,7 @@ def screenshot(desk: Desk, study: Study, path: Path) -> str:
     if refused:
         return refused
     save(panes(desk, study, Preview(context)), path)
-    return desk.stage.trouble if desk.stage else ""
+    return study.told(desk.stage.trouble) if desk.stage else ""
 
 
 def surfaceless() -> "moderngl.Context":
@@ -91,7 +91,8 @@ def wait(desk: Desk, study: Study) -> str:
         product = desk.product
         if product is not None and product.engine is None:
             said = [f"{one.line}: {one.text}" for one in product.diagnostics[:1]]
-            return product.refused or " ".join([study.words("It does not compile."), *said])
+            line = " ".join([study.words("It does not compile."), *said])
+            return study.told(product.refused) or line
         if desk.fault is not None:
             raise desk.fault
     return ""

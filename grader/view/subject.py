@@ -148,12 +148,19 @@ def of_file(path: Path) -> Subject:
     raise UsageError(f"{path}: a mesh (.obj, .ply) or a counterexample (.json) was expected")
 
 
-def told_of(subject: Subject, words: Words) -> str:
-    """Say what the check said of a counterexample, which may have been of another build."""
+def told_of(subject: Subject, words: Words, messages: Words = str) -> str:
+    """Say what the check said of a counterexample, which may have been of another build.
+
+    Args:
+        subject: What is looked at.
+        words: Translates our own texts.
+        messages: Translates those of checks.
+    """
     if not subject.told:
         return ""
     text = words("{check}, when this was found: {message}")
-    told = text.format(check=one_line(subject.check), message=one_line(subject.told))
+    said = one_line(messages(subject.told))
+    told = text.format(check=one_line(subject.check), message=said)
     if getattr(subject.trial, "sanitized", False):
         other = words("That was a build with sanitizers, which is not the one that runs here.")
         told = f"{told} ({other})"

@@ -97,7 +97,7 @@ class Window:
         Args:
             fps: Frames a second; few as long as nothing happens.
         """
-        told = status(self.desk, self.words)
+        told = status(self.desk, self.words, self.study.told)
         seconds = self.panes.preview_seconds if self.panes else 0.0
         return f"{told}   preview {1000 * seconds:.0f} ms   {fps:.0f} fps"
 

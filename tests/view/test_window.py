@@ -127,6 +127,7 @@ def test_the_window_outlives_the_submission(
     """It says what happened, goes on drawing, and shows the next build once that is saved."""
     seen = driven(display, tmp_path, source, "trouble", "rebuild")
     assert re.match(told, seen["trouble"]["text"])
+    assert ("earlier view" in seen["trouble"]["old"]) == told.startswith("intersect")
     assert seen["rebuild"]["text"] == ""
     assert seen["rebuild"]["share"] == 1.0
 
