@@ -50,7 +50,9 @@
   const show = () => {
     if (!opened || !state) return;
     const { node, ray, step } = state;
-    Object.assign(opened.model, { node: null, expected_box: node ? node.right_box : null, marked: [], ray });
+    // Its faces are those of the mesh that is here, unless another one is on its way.
+    const marked = node && loaded === subject ? node.faces : [];
+    Object.assign(opened.model, { node: null, expected_box: node ? node.right_box : null, marked, ray });
     const what = display(opened, { level: Number(level.value), only: only.checked, step });
     what.levels = true;
     // It may lie below the levels that the page was given.
