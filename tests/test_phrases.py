@@ -33,6 +33,7 @@ TOLD_BY = (
     ROOT / "grader" / "score" / "points.py",
     *sorted((ROOT / "grader" / "intake").glob("*.py")),
     ROOT / "grader" / "build" / "compile.py",
+    *(ROOT / "grader" / "view" / f"{name}.py" for name in ("inspector", "stage")),
     ROOT / "grader" / "gallery" / "gallery.py",
     *(ROOT / "grader" / f"{name}.py" for name in ("kept", "summary")),
 )
@@ -146,6 +147,22 @@ def number(hole: re.Match[str]) -> str:
             "werden geteilt",
         ),
         ("2 faces, 1 ray", "2 Dreiecke, 1 Strahl"),
+        (
+            "its triangles span (0, 0, 1) to (1, 2, 3)",
+            "seine Dreiecke reichen von (0, 0, 1) bis (1, 2, 3)",
+        ),
+        (
+            "intersect, pixel (3, 4): did not come back and was stopped",
+            "intersect, Pixel (3, 4): kam nicht zurück und wurde angehalten",
+        ),
+        (
+            "intersect, Strahl 7: ended by SIGSEGV (invalid memory)",
+            "intersect, Strahl 7: beendet durch SIGSEGV (invalid memory)",
+        ),
+        (
+            "construct: threw an exception: no hit",
+            "construct: warf eine Ausnahme: no hit",
+        ),
     ],
 )
 def test_whole_messages_are_told(english: str, german: str) -> None:

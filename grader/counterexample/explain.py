@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from grader.model.mesh import Bvh, Floats, Integers, Mask, Mesh
+from grader.model.mesh import Bvh, Floats, Indices, Integers, Mask, Mesh
 from grader.model.path import NO_NODE, Path
 
 FAR = np.float32(1e-3)
@@ -48,11 +48,7 @@ class Setting:
         known = self.path.node.astype(np.int64)
         copied = np.flatnonzero(self.path.is_box & (self.path.node == NO_NODE))
         if copied.size:
-            boxes = _as_bytes(np.concatenate([self.tree.low, self.tree.high], axis=1))
-            # Backwards, so that the first of several equal ones stays.
-            first = dict(zip(reversed(boxes), reversed(range(len(boxes))), strict=True))
-            sought = _as_bytes(self.path.corners[copied, :6])
-            known[copied] = [first.get(each, -1) for each in sought]
+            known[copied] = _first_alike(self.tree, self.path.corners[copied, :6])
         known[~self.path.is_box | (known >= len(self.tree.end))] = -1
         return known
 
@@ -196,6 +192,28 @@ def false_hit(setting: Setting) -> Explanation:
     step = int(same[-1])
     limits = f"({path.t_min[step]:.9g}, {path.t_max[step]:.9g})"
     return Explanation(f"t = {found:.9g} is from a face that was tested with t in {limits}")
+
+
+def _first_alike(tree: Bvh, sought: Floats) -> list[int]:
+    """Find the first node with each box of (K, 6) float32, bit by bit; -1 if there is none."""
+    sides = [*tree.low.T, *tree.high.T]
+    # One coordinate after the other leaves few nodes of a large tree to be looked at.
+    likely = np.arange(len(tree.end))
+    for side, wanted in zip(sides, sought.T, strict=True):
+        likely = likely[np.isin(_bits(side[likely]), _bits(wanted))]
+    boxes = np.concatenate([tree.low[likely], tree.high[likely]], axis=1)
+    # Whoever sets no box leaves all of them alike.
+    fresh = np.ones(len(likely), np.bool_)
+    fresh[1:] = (_bits(boxes[1:]) != _bits(boxes[:-1])).any(axis=1)
+    likely, boxes = likely[fresh], boxes[fresh]
+    # Backwards, so that the first of several equal ones stays.
+    first = dict(zip(reversed(_as_bytes(boxes)), reversed(likely.tolist()), strict=True))
+    return [first.get(each, -1) for each in _as_bytes(sought)]
+
+
+def _bits(values: Floats) -> Indices:
+    """(...) uint32, by which NaN equals itself, and zeros of other signs do not."""
+    return np.ascontiguousarray(values, dtype=np.float32).view(np.uint32)
 
 
 def _as_bytes(rows: Floats) -> list[bytes]:

@@ -7,7 +7,6 @@ import numpy as np
 from grader.counterexample.explain import Explanation, Setting
 from grader.counterexample.table import first_difference
 from grader.model.mesh import Bvh, Floats, Integers, Mesh
-from grader.model.path import NO_NODE
 from grader.model.trials import AlteredTrial, ImageTrial, TraceTrial
 from grader.model.views import Model, ShownRay, Step
 from grader.verify.bounds import loose_nodes
@@ -19,8 +18,6 @@ MOST_BOXES = 1023
 """Nodes of the ten uppermost levels: what is below hides more than it shows."""
 
 MOST_STEPS = 400
-SEARCHED_FACES = 5_000
-"""Of a larger mesh, a box that was copied is not looked for among all nodes."""
 
 
 def with_tree(check: str, mesh: Mesh, tree: Bvh, expected: Bvh) -> Model:
@@ -147,9 +144,7 @@ def _ray(
 def steps_of(setting: Setting) -> Sequence[Step]:
     """Tell the first tests that the submission called, in order."""
     path, mesh = setting.path, setting.mesh
-    count = min(len(path.is_box), MOST_STEPS)
-    nodes = setting.nodes() if len(mesh.faces) <= SEARCHED_FACES else path.node.astype(np.int64)
-    nodes = np.where(nodes == NO_NODE, -1, nodes)
+    count, nodes = min(len(path.is_box), MOST_STEPS), setting.nodes()
     known = _faces_by_corners(mesh, path.corners[:count][~path.is_box[:count]])
     return [
         Step(

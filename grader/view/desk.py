@@ -154,7 +154,7 @@ class Desk:
         if self._builds.is_stale:
             self.rebuild()
             changed = True
-        for stage in (self.stage, self.rival):
+        for stage in self._tracing():
             changed |= self._advance(stage)
         return changed | self._substitute()
 
@@ -175,16 +175,17 @@ class Desk:
 
     def compare(self, mode: Mode) -> None:
         """Choose what the right pane shows; the model solution is only run if it is wanted."""
-        self.mode = mode
+        compared, self.mode = self.mode in COMPARING, mode
         self._faults.pop("compare", None)
-        if mode not in COMPARING or self.rival is not None or self.subject is None:
+        if mode not in COMPARING or self.subject is None:
             return
-        if self._model is not None:
-            self.rival = Stage(self.subject, self._model)
+        if self._model is None:
+            self._comparing = self._comparing or self._aside.submit(our_own, self._nursery)
+        elif self.rival is None or not compared:
+            self.rival = self.rival or Stage(self.subject, self._model)
+            # As long as nobody compared it was shown no other view.
             if self.orbit is not None:
                 self.rival.show(self.orbit, *self.size)
-        elif self._comparing is None:
-            self._comparing = self._aside.submit(our_own, self._nursery)
 
     def _take_model(self) -> bool:
         if self._comparing is None or not self._comparing.done():
@@ -197,9 +198,12 @@ class Desk:
         self.compare(self.mode)
         return True
 
-    def _advance(self, stage: Stage | None) -> bool:
-        if stage is None:
-            return False
+    def _tracing(self) -> list[Stage]:
+        """Those that take processor time: the model solution only while it is compared."""
+        rival = self.rival if self.mode in COMPARING else None
+        return [one for one in (self.stage, rival) if one is not None]
+
+    def _advance(self, stage: Stage) -> bool:
         before = stage.state
         try:
             painted = stage.advance()
@@ -232,8 +236,8 @@ class Desk:
         return True
 
     def _show(self) -> None:
-        for stage in (self.stage, self.rival):
-            if stage is not None and self.orbit is not None:
+        for stage in self._tracing():
+            if self.orbit is not None:
                 stage.show(self.orbit, *self.size)
 
     def _take_subject(self) -> bool:

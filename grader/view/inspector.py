@@ -172,8 +172,8 @@ def _faults(tree: Bvh, node: int, known: Judgement, box: tuple[float, ...]) -> l
     if node in known.unparted:
         told.append("its children do not share out its faces")
     if node in known.unsplit:
-        many = held > FACES_PER_LEAF
-        told.append(f"{held} faces, but it is {'not ' if many else ''}split")
+        few, many = f"{held} faces, but it is split", f"{held} faces, but it is not split"
+        told.append(many if held > FACES_PER_LEAF else few)
     if node in known.lopsided:
         told.append("it is not divided in two equal halves at the median of the centres")
     if node in known.sideways:

@@ -10,6 +10,7 @@ from grader.model.grade import CheckScore
 from grader.model.verdict import Verdict
 from grader.options import Options
 from grader.output import OUTPUT
+from grader.phrases import teller
 from grader.plain import as_name, one_line
 from grader.report.facts import counterexample_file
 from grader.selection import require_check
@@ -60,7 +61,7 @@ def opening(wish: Wish, web: bool, picture: Path | None) -> str:
     """
     first = wanted(wish)
     with Desk(wish.path, wish.options, first) as desk:
-        study = Study(desk, wish.words)
+        study = Study(desk, wish.words, teller(wish.language))
         try:
             return _shown(wish, study, desk, web, picture)
         finally:

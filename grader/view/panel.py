@@ -34,6 +34,9 @@ class Panel:
         self.remark = ""
         """What came of the last picture or file."""
 
+        self._seen: tuple[object, int] = None, 0
+        """The ray and the step to which the list was scrolled."""
+
     def draw(self, imgui: ModuleType, shown: Shown | None) -> None:
         """Draw everything, from top to bottom."""
         self._kind(imgui)
@@ -87,21 +90,21 @@ class Panel:
 
     def _trouble(self, imgui: ModuleType) -> None:
         """Say what the submission, or a wish, came to."""
-        desk, words = self._desk, self._words
+        desk, words, told = self._desk, self._words, self._study.told
         if desk.product is not None and desk.product.engine is None:
             imgui.text_colored(BAD, words("It does not compile:"))
-            imgui.text_wrapped(one_line(desk.product.refused))
+            imgui.text_wrapped(one_line(told(desk.product.refused)))
             for each in desk.product.diagnostics[:8]:
                 imgui.text_wrapped(f"{each.line}: {one_line(each.text, 300)}")
             if desk.stage is not None:
                 imgui.text_wrapped(words("what is shown is the last build that did"))
         if desk.stage is not None and desk.stage.trouble:
             imgui.push_style_color(imgui.Col_.text, BAD)
-            imgui.text_wrapped(one_line(desk.stage.trouble, 300))
+            imgui.text_wrapped(one_line(told(desk.stage.trouble), 300))
             imgui.pop_style_color()
             if desk.stage.state is State.ENDED and imgui.button(words("Run it again")):
                 desk.run_again()
-        origin = desk.subject.origin if desk.subject else ""
+        origin = told(desk.subject.origin) if desk.subject else ""
         fault = str(desk.fault or "")
         for text in (fault, self._study.remark, self.remark, origin):
             if text:
@@ -181,8 +184,13 @@ class Panel:
                 name = words("something else")
             end = words("hit") if one.hit else words("missed")
             mark = "  <-- " + words("lost here") if place == lost else ""
-            if imgui.selectable(f"{name}: {end}{mark}##{place}", place == study.step - 1)[0]:
+            current = place == study.step - 1
+            if imgui.selectable(f"{name}: {end}{mark}##{place}", current)[0]:
                 study.walk_to(place + 1)
+            # Once only: whoever scrolls elsewhere is left there.
+            if current and self._seen != (walk, study.step):
+                self._seen = walk, study.step
+                imgui.set_scroll_here_y()
         imgui.end_child()
 
 

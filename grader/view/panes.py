@@ -11,7 +11,7 @@ from grader.view.camera import Orbit, within
 from grader.view.desk import Desk
 from grader.view.overlay import projected
 from grader.view.panel import colour_of
-from grader.view.picture import Shown, shown
+from grader.view.picture import Shown, is_old, shown
 from grader.view.preview import Preview
 from grader.view.shades import tint
 from grader.view.steering import dragged, is_clicked
@@ -49,7 +49,7 @@ class Panes:
         self._subjects = -1
         self._tree: object = None
         self._moved, self._still = 0.0, SETTLED_FRAMES
-        self._mode = desk.mode
+        self._shown_as = desk.mode, False
         self.is_stale = True
         """Whether something else is traced than is shown."""
 
@@ -128,8 +128,9 @@ class Panes:
         while self._waits and self._desk.stage is not None and time.monotonic() < end:
             time.sleep(0.001)
             self.advance()
-        if self.is_stale or self._mode is not self._desk.mode:
-            self.is_stale, self._mode = False, self._desk.mode
+        wanted = self._desk.mode, is_old(self._desk)
+        if self.is_stale or self._shown_as != wanted:
+            self.is_stale, self._shown_as = False, wanted
             self.shown = shown(self._desk)
             if self.shown is not None:
                 self._upload(self.shown.pixels)

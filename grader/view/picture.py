@@ -1,6 +1,6 @@
 """What does the right pane show of a desk? Colours, and the scale that belongs to them."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 from typing import Any
 
@@ -19,6 +19,8 @@ BRIGHTEST = 99
 """Percentile of the cost at the bright end: a few rays cost ten times as much as all others."""
 
 WRONG = (250, 62, 62)
+DIMMED = 3
+"""By so much darker is a picture of an earlier view."""
 
 SHADE = 8
 """Steps of 255 by which the shades of two hits may be apart: rounded normals are not."""
@@ -56,8 +58,30 @@ def titles(words: Words) -> dict[Mode, str]:
 
 
 def shown(desk: Desk) -> Shown | None:
-    """Make the picture of a desk; None if nothing is traced yet."""
-    stage = desk.rival if desk.mode is Mode.REFERENCE else desk.stage
+    """Make the picture of a desk; None if nothing is traced yet.
+
+    An old one is dim, or it would be taken for what is on the left.
+    """
+    found = _picture(desk)
+    if found is None or not is_old(desk):
+        return found
+    return replace(found, pixels=found.pixels // DIMMED)
+
+
+def is_old(desk: Desk) -> bool:
+    """Whether the picture is of an earlier view, since its process traces no more."""
+    stage = _on_the_right(desk)
+    if stage is None or stage.state is not State.ENDED or _is_current(desk, stage):
+        return False
+    return bool(stage.traced.seen.any())
+
+
+def _on_the_right(desk: Desk) -> Stage | None:
+    return desk.rival if desk.mode is Mode.REFERENCE else desk.stage
+
+
+def _picture(desk: Desk) -> Shown | None:
+    stage = _on_the_right(desk)
     if stage is None or not stage.traced.seen.any():
         return None
     traced = stage.traced

@@ -10,7 +10,7 @@ import numpy as np
 from grader.errors import MissingTool, OutputFault
 from grader.model.mesh import Bytes
 from grader.view.desk import COMPARING, Desk
-from grader.view.needed import INSTALL
+from grader.view.needed import lacking
 from grader.view.overlay import Stroke, projected
 from grader.view.picture import shown
 from grader.view.preview import Preview
@@ -51,7 +51,7 @@ def screenshot(desk: Desk, study: Study, path: Path) -> str:
     if refused:
         return refused
     save(panes(desk, study, Preview(context)), path)
-    return desk.stage.trouble if desk.stage else ""
+    return study.told(desk.stage.trouble) if desk.stage else ""
 
 
 def surfaceless() -> "moderngl.Context":
@@ -64,7 +64,7 @@ def surfaceless() -> "moderngl.Context":
     try:
         import moderngl
     except ImportError as fault:
-        raise MissingTool(INSTALL) from fault
+        raise lacking(fault) from fault
     try:
         return moderngl.create_context(require=330, standalone=True, **EGL)
     except Exception as fault:  # moderngl raises nothing more precise
@@ -91,7 +91,8 @@ def wait(desk: Desk, study: Study) -> str:
         product = desk.product
         if product is not None and product.engine is None:
             said = [f"{one.line}: {one.text}" for one in product.diagnostics[:1]]
-            return product.refused or " ".join([study.words("It does not compile."), *said])
+            line = " ".join([study.words("It does not compile."), *said])
+            return study.told(product.refused) or line
         if desk.fault is not None:
             raise desk.fault
     return ""
@@ -121,9 +122,20 @@ def panes(desk: Desk, study: Study, preview: Preview) -> Bytes:
     strokes = [projected(one, orbit, width, height) for one in study.strokes()]
     left = over(preview.pixels(), strokes)
     seen = shown(desk)
-    right = np.full((height, width, 3), EMPTY, np.uint8) if seen is None else seen.pixels
+    empty = np.full((height, width, 3), EMPTY, np.uint8)
+    right = empty if seen is None else stretched(seen.pixels, width, height)
     gap = np.zeros((height, GAP, 3), np.uint8)
     return np.concatenate([left, gap, right], axis=1)
+
+
+def stretched(pixels: Bytes, width: int, height: int) -> Bytes:
+    """Have a picture of another size, by the nearest pixels.
+
+    A process that has ended traces no picture of the size that the pane has now.
+    """
+    rows = np.arange(height) * pixels.shape[0] // height
+    columns = np.arange(width) * pixels.shape[1] // width
+    return np.asarray(pixels[rows[:, None], columns])
 
 
 def over(pixels: Bytes, strokes: Sequence[Stroke]) -> Bytes:

@@ -15,23 +15,20 @@ from grader.errors import UsageError
 from grader.gallery.coarse import coarsened
 from grader.language import Words
 from grader.model.mesh import Mesh
-from grader.model.views import Model, ShownRay
+from grader.model.views import Model
 from grader.plain import one_line
-from grader.report.views import model_json, ray_json
-from grader.verify.check import vector
+from grader.report.views import model_json
+from grader.view.answers import Json, node_json, walk_json
 from grader.view.aside import failed
 from grader.view.asked import Unanswered, mode, number, numbers
 from grader.view.camera import within
 from grader.view.desk import Desk
-from grader.view.inspector import NodeFacts, some_faces
 from grader.view.picture import Shown, shown
 from grader.view.remote import home_of, orbit_at
 from grader.view.stage import State
 from grader.view.status import is_vain, status
 from grader.view.study import Study
-from grader.view.walking import Walk, cut_off, deepest_known, outcome_of, right_of
-
-Json = dict[str, Any]
+from grader.view.walking import deepest_known
 
 PAUSE_SECONDS = 0.004
 LARGEST_SIDE = 1024
@@ -108,6 +105,7 @@ class Service:
         desk, study, words = self._desk, self._study, self._words
         traced = desk.stage.traced if desk.stage else None
         cost = differ = ""
+        origin = desk.subject.origin if desk.subject else ""
         seen = self._shown
         self._told += 1
         if seen is not None and seen.wrong >= 0:
@@ -119,10 +117,10 @@ class Service:
             )
         return {
             "told": self._told,
-            "status": status(desk, self._words),
+            "status": status(desk, words, study.told),
             "trouble": self._trouble(),
             "ended": desk.stage is not None and desk.stage.state is State.ENDED,
-            "remark": one_line(study.remark or (desk.subject.origin if desk.subject else "")),
+            "remark": one_line(study.remark or study.told(origin)),
             "subject": desk.subjects,
             "tree": self._trees,
             "scene": desk.subject.name if desk.subject else "",
@@ -132,8 +130,8 @@ class Service:
             "scale": seen.scale if seen and seen.scale else None,
             "differ": differ,
             "cost": cost,
-            "node": self._node(study.facts),
-            "ray": self._ray(study.walk),
+            "node": self._node(),
+            "ray": None if study.walk is None else walk_json(study.walk, words),
             "step": study.step,
             "lost": deepest_known(study.walk) if study.walk else -1,
         }
@@ -175,7 +173,9 @@ class Service:
         if desk.subject is None:
             return
         size = numbers(given, "size", 2)
-        width, height = (int(min(max(side, 16), LARGEST_SIDE)) for side in size)
+        # By one factor, or what is traced has another shape than what the page draws.
+        scale = min(1.0, LARGEST_SIDE / max(*size, 1.0))
+        width, height = (int(max(scale * side, 16)) for side in size)
         orbit = orbit_at(given, desk.subject.home, self._light(desk.subject.mesh))
         if orbit != desk.orbit or (width, height) != desk.size:
             desk.size = width, height
@@ -226,57 +226,19 @@ class Service:
         product = desk.product
         if product is not None and product.engine is None and not desk.is_building:
             told = [
-                product.refused,
+                self._study.told(product.refused),
                 *(f"{one.line}: {one.text}" for one in product.diagnostics[:5]),
             ]
             return one_line(" / ".join(filter(None, told)))
-        return one_line(desk.stage.trouble) if desk.stage else ""
+        return one_line(self._study.told(desk.stage.trouble)) if desk.stage else ""
 
-    def _node(self, facts: NodeFacts | None) -> Json | None:
-        if facts is None:
+    def _node(self) -> Json | None:
+        """Write the node that is looked at, with its faces if the page has those."""
+        study, subject = self._study, self._desk.subject
+        if study.facts is None or subject is None:
             return None
-        words = self._words
-        told = words("level {level}, faces [{begin}, {end})").format(
-            level=facts.level, begin=facts.begin, end=facts.end
-        )
-        family = [[words("parent"), facts.parent]] if facts.parent >= 0 else []
-        family += [[words("child"), child] for child in facts.children]
-        known = self._study.judgement is not None
-        good = words("Nothing is wrong with this node.") if known and not facts.faults else ""
-        box = f"min {vector(facts.low)}\nmax {vector(facts.high)}"
-        corners = [*facts.low, *facts.high]
-        return {
-            "index": facts.node,
-            "told": f"{told}\n{some_faces(facts)}\n{box}\n{good}",
-            "family": family,
-            "faults": [one_line(fault) for fault in facts.faults],
-            "wrong": bool(facts.faults),
-            "box": corners if np.isfinite(corners).all() else None,
-            "right_box": list(facts.right_box) or None,
-        }
-
-    def _ray(self, walk: Walk | None) -> Json | None:
-        if walk is None:
-            return None
-        words = self._words
-        row = [float(value) for value in walk.ray]
-        expected = np.inf if walk.expected is None else walk.expected
-        made = ShownRay(
-            origin=(row[0], row[1], row[2]),
-            direction=(row[3], row[4], row[5]),
-            t_min=row[6],
-            t_max=row[7],
-            expected=expected,
-            got=walk.found,
-            face=-1,
-            lost=walk.lost,
-            sentence=one_line(walk.sentence),
-            steps=walk.steps,
-        )
-        came = f"{walk.of.title}: {outcome_of(walk, words)}"
-        told = ", ".join(filter(None, (came, right_of(walk, words))))
-        told = f"{told}. {made.sentence} {cut_off(walk, words)}".strip()
-        return {**ray_json(made), "told": told, "total": walk.total}
+        whole = len(self._light(subject.mesh).faces) == len(subject.mesh.faces)
+        return node_json(study.facts, study.judgement is not None, whole, self._words)
 
     def _light(self, mesh: Mesh) -> Mesh:
         """A mesh that is small enough for a page, made once."""

@@ -1,5 +1,7 @@
 """What somebody looks at more closely: one node, or one ray and the nodes that it visits."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from grader.language import Words
@@ -7,10 +9,17 @@ from grader.run.transfer import ray_table
 from grader.view.camera import rays_of, within
 from grader.view.desk import Desk, Mode
 from grader.view.following import Following, Place, again
-from grader.view.inspector import Judgement, NodeFacts, facts_of, next_of, picked
-from grader.view.judging import Judging
+from grader.view.inspector import Judgement, NodeFacts
+from grader.view.nodes import Nodes
 from grader.view.overlay import Stroke, of_both
-from grader.view.picture import Comparison, compared, comparison, next_wrong, remark_of
+from grader.view.picture import (
+    Comparison,
+    compared,
+    comparison,
+    is_old,
+    next_wrong,
+    remark_of,
+)
 from grader.view.stage import Stage, State
 from grader.view.subject import told_of
 from grader.view.walking import Followed, Judged, Walk, deepest_known, unanswered
@@ -20,22 +29,20 @@ from grader.view.workshop import Product
 class Study:
     """A selected node and a selected ray of what is on a desk."""
 
-    def __init__(self, desk: Desk, words: Words = str) -> None:
+    def __init__(self, desk: Desk, words: Words = str, told: Words = str) -> None:
         """Select nothing.
 
         Args:
             desk: What is shown.
             words: Translates our own texts.
+            told: Translates messages of checks, and what a submission did.
         """
-        self._desk, self.words = desk, words
-        self._judging, self._following = Judging(), Following()
+        self._desk, self.words, self.told = desk, words, told
+        self._nodes, self._following = Nodes(desk, words, told), Following()
         self._stage: Stage | None = None
         self._product: Product | None = None
         self._place: Place | None = None
         """To be looked at again, once the new process traces."""
-
-        self._onward = False
-        """Whether to go to the next wrong node, once all are judged."""
 
         self._hunting = False
         """Whether to go to the next pixel that differs, once there is one."""
@@ -48,7 +55,6 @@ class Study:
 
         self._begun = False
         self._index = -1
-        self.facts: NodeFacts | None = None
         self.walk: Walk | None = None
         self.step = 0
         self.pixel = (-1, -1)
@@ -59,12 +65,17 @@ class Study:
 
     def close(self) -> None:
         """End the thread."""
-        self._judging.close()
+        self._nodes.close()
+
+    @property
+    def facts(self) -> NodeFacts | None:
+        """The node that is looked at; None if there is none."""
+        return self._nodes.facts
 
     @property
     def judgement(self) -> Judgement | None:
         """What is wrong with the tree; None if nobody has looked yet."""
-        return self._judging.known
+        return self._nodes.known
 
     def advance(self) -> bool:
         """Take what is finished; tells whether anything is to be shown anew."""
@@ -81,44 +92,29 @@ class Study:
         """Whether something that was asked for is still to come."""
         stage = self._desk.stage
         begins = stage is not None and bool(stage.subject.check) and not self._begun
-        waits = self._following.pending is not None or self._judging.is_busy
+        waits = self._following.pending is not None or self._nodes.is_busy
         return begins or waits or self._hunting
 
     def select(self, node: int) -> None:
         """Look at a node, if it exists."""
-        stage = self._stage
-        if stage is None or stage.tree is None or not 0 <= node < len(stage.tree.end):
-            self.facts = None
-            return
-        self.facts = facts_of(stage.subject.mesh, stage.tree, node, self.judgement)
+        self._nodes.select(self._stage, node)
 
     def pick(self, pixel: tuple[int, int]) -> None:
         """Look at the node whose box lies under a pixel of the left pane."""
-        desk, stage = self._desk, self._stage
-        if stage is None or stage.tree is None or desk.orbit is None:
-            return
-        level = min(desk.level, desk.deepest)
-        self.select(picked(stage.tree, desk.orbit, desk.size, pixel, (level, desk.only)))
+        self._nodes.pick(self._stage, pixel)
 
     def next_node(self) -> None:
-        """Look at the next node that is wrong."""
-        self.remark = ""
-        if self._stage is not None and self._stage.subject.tree is not None:
-            self.remark = self.words("the tree is the model solution's")
-        elif self._judging.failed:
-            self.remark = self._judging.failed
-        elif self.judgement is None:
-            self._onward = True
-        elif self.judgement.unreadable:
-            self.remark = self.judgement.unreadable
-        elif not self._to_wrong_node():
-            self.remark = self.words("no node is wrong")
+        """Look at the next node that is wrong, or say why there is none."""
+        self.remark = self._nodes.next_wrong(self._stage)
 
     def follow(self, pixel: tuple[int, int]) -> None:
         """Follow the ray of a pixel of the right pane."""
         desk = self._desk
         self.remark, self._hunting = "", False
         if desk.orbit is None:
+            return
+        if is_old(desk):
+            self.remark = self.words("the picture is of an earlier view: no ray is followed")
             return
         self.pixel = within(pixel, desk.size)
         column, row = self.pixel
@@ -169,10 +165,10 @@ class Study:
         self._stage, self._product = stage, product
         if self._place and (stage is None or self._place.mesh is not stage.subject.mesh):
             self._place = None
-        self._judging.forget()
+        self._nodes.forget()
         self._following.forget()
-        self._begun = self._hunting = self._onward = False
-        self.facts, self.walk, self.step, self.remark = None, None, 0, ""
+        self._begun = self._hunting = False
+        self.walk, self.step, self.remark = None, 0, ""
         if self._place is None:
             self.pixel, self._index = (-1, -1), -1
 
@@ -182,7 +178,7 @@ class Study:
         if place is None or stage.tree is None or stage.state is State.CONSTRUCTING:
             return False
         self._place, self._begun = None, True
-        self.remark = told_of(stage.subject, self.words)
+        self.remark = told_of(stage.subject, self.words, self.told)
         if place.node >= 0:
             self.select(place.node)
         if place.ray is not None:
@@ -192,27 +188,10 @@ class Study:
 
     def _judge(self, stage: Stage) -> bool:
         """Have the tree judged aside."""
-        if not self._judging.advance(stage, self._onward or self.facts is not None):
-            return False
-        if self.facts is not None:
-            self.select(self.facts.node)
-        if self._onward:
-            self._onward = False
+        judged = self._nodes.advance(stage)
+        if judged and self._nodes.goes_on:
             self.next_node()
-        return True
-
-    def _to_wrong_node(self) -> bool:
-        """Look at the next wrong node; tells whether there is one."""
-        known = self.judgement
-        node = -1
-        if known is not None:
-            node = next_of(known.every, self.facts.node if self.facts else -1)
-        if node < 0:
-            return False
-        self.select(node)
-        if self.facts is not None:
-            self._desk.level = max(self._desk.level, min(self.facts.level, self._desk.deepest))
-        return True
+        return judged
 
     def _begin(self, stage: Stage) -> bool:
         """Show at once what a counterexample is about."""
@@ -222,12 +201,12 @@ class Study:
             self._wished = False
             self._follow_given(stage, 0, failing=True)
         elif stage.tree is not None:
-            if self.judgement is None and not self._judging.failed:
+            if self.judgement is None and not self._nodes.failed:
                 return False
-            if not self._to_wrong_node():
+            if not self._nodes.to_wrong(stage):
                 self.select(0)
         self._begun = True
-        self.remark = told_of(stage.subject, self.words)
+        self.remark = told_of(stage.subject, self.words, self.told)
         return True
 
     def _hunt(self) -> bool:
@@ -293,7 +272,7 @@ class Study:
         # Until a wrong one is found, the first is better than none.
         if onward and self.walk is not None:
             return True
-        self.walk = walk
+        self.walk = replace(walk, sentence=self.told(walk.sentence))
         self.walk_to(deepest_known(walk) + 1)
         if walk.lost >= 0:
             self.select(walk.lost)

@@ -8,13 +8,14 @@ import numpy as np
 from grader.errors import UsageError
 from grader.language import Words
 from grader.model.mesh import Bvh, FrozenArrays, Mesh, Rays
-from grader.model.scene import Scene
 from grader.model.trials import ConstructTrial, RebuildTrial, Trial
 from grader.options import Options
 from grader.plain import one_line
 from grader.view.camera import Orbit, orbit_around, orbit_of
 
 ALBEDO = (0.75, 0.72, 0.64)
+SCALED = "the mesh was moved and scaled into the cube from -1 to 1"
+"""Said of every mesh from a file: coordinates that are shown are not those of the file."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -46,11 +47,8 @@ class Subject(FrozenArrays):
     told: str = ""
     """What the check said of a counterexample when it was found; a stranger's words."""
 
-    scene: Scene | None = None
-    """The stored scene, with Mitsuba's picture of it; None if it is none."""
-
     origin: str = ""
-    """Where it was found, if nobody said where; for people."""
+    """Where it was found, if nobody said where, or what was made of it; for people."""
 
 
 def own_scenes(options: Options) -> Path | None:
@@ -108,7 +106,7 @@ def of_scene(name: str, own: Path | None = None) -> Subject:
     scene = scene_named(name, folder)
     mesh = load_mesh(scene.mesh, folder)
     home = orbit_of(scene.camera, extent(mesh))
-    return Subject(name, scene.title, mesh, home, scene.albedo, scene=scene)
+    return Subject(name, scene.title, mesh, home, scene.albedo)
 
 
 def of_trial(check: str, trial: Trial, told: str = "") -> Subject:
@@ -144,17 +142,25 @@ def of_file(path: Path) -> Subject:
     if path.suffix.lower() in (".obj", ".ply", ".stl", ".off"):
         from grader.oracle.imported import read_model
 
-        mesh, _ = read_model(path)
-        return Subject(path.stem, path.stem, mesh, around(mesh))
+        mesh, remark = read_model(path)
+        origin = "; ".join(filter(None, (SCALED, remark)))
+        return Subject(path.stem, path.stem, mesh, around(mesh), origin=origin)
     raise UsageError(f"{path}: a mesh (.obj, .ply) or a counterexample (.json) was expected")
 
 
-def told_of(subject: Subject, words: Words) -> str:
-    """Say what the check said of a counterexample, which may have been of another build."""
+def told_of(subject: Subject, words: Words, messages: Words = str) -> str:
+    """Say what the check said of a counterexample, which may have been of another build.
+
+    Args:
+        subject: What is looked at.
+        words: Translates our own texts.
+        messages: Translates those of checks.
+    """
     if not subject.told:
         return ""
     text = words("{check}, when this was found: {message}")
-    told = text.format(check=one_line(subject.check), message=one_line(subject.told))
+    said = one_line(messages(subject.told))
+    told = text.format(check=one_line(subject.check), message=said)
     if getattr(subject.trial, "sanitized", False):
         other = words("That was a build with sanitizers, which is not the one that runs here.")
         told = f"{told} ({other})"

@@ -14,6 +14,9 @@ FEW = 60_000
 CELLS = 104
 """Along the longest side."""
 
+TOO_FEW = FEW // 100
+"""Of a surface far more faces are left; of loose ones smaller than a cell perhaps none."""
+
 
 def thinned(mesh: Mesh) -> Mesh:
     """Return a mesh of fewer faces, or the mesh itself if it has few."""
@@ -35,4 +38,8 @@ def thinned(mesh: Mesh) -> Mesh:
     key = np.sort(whole, axis=1).astype(np.int64)
     code = (key[:, 0] * len(cell) + key[:, 1]) * len(cell) + key[:, 2]
     _, first = np.unique(code, return_index=True)
+    if first.size < TOO_FEW:
+        # No grid helps there, but some of such faces look like all of them.
+        step = -(-len(mesh.faces) // FEW)
+        return Mesh(mesh.vertices, np.ascontiguousarray(mesh.faces[::step]))
     return Mesh(mesh.vertices, whole[first].astype(np.uint32))

@@ -12,7 +12,7 @@ from grader.language import Words
 from grader.view.bar import Bar
 from grader.view.camera import Orbit
 from grader.view.desk import Desk
-from grader.view.needed import INSTALL, NO_DISPLAY, has_display
+from grader.view.needed import NO_DISPLAY, has_display, lacking
 from grader.view.panel import WIDTH, Panel, saved, scaled
 from grader.view.panes import Panes
 from grader.view.preview import Preview
@@ -97,7 +97,7 @@ class Window:
         Args:
             fps: Frames a second; few as long as nothing happens.
         """
-        told = status(self.desk, self.words)
+        told = status(self.desk, self.words, self.study.told)
         seconds = self.panes.preview_seconds if self.panes else 0.0
         return f"{told}   preview {1000 * seconds:.0f} ms   {fps:.0f} fps"
 
@@ -173,15 +173,18 @@ def runner(window: Window, title: str) -> Any:  # noqa: ANN401 - ImGui's own
     """Describe the window to ImGui's runner.
 
     Raises:
-        MissingTool: The packages of the viewer are not installed.
+        MissingTool: The packages of the viewer are not installed, or cannot be loaded.
     """
     try:
+        from imgui_bundle import hello_imgui
+
+        params = hello_imgui.RunnerParams()
+        # Not before: ImGui says which library this loads. Under Wayland it would take another
+        # one, with which ImGui does not load.
         import glfw  # noqa: F401 - all have to be there before a window is opened
         import moderngl  # noqa: F401 - all have to be there before a window is opened
-        from imgui_bundle import hello_imgui
     except ImportError as fault:
-        raise MissingTool(INSTALL) from fault
-    params = hello_imgui.RunnerParams()
+        raise lacking(fault) from fault
     params.app_window_params.window_title = title
     params.app_window_params.window_geometry.size = SIZE
     params.ini_disable = True
@@ -197,6 +200,7 @@ def opened(window: Window, title: str) -> None:
 
     Raises:
         MissingTool: The packages are not installed, or there is no display.
+        RuntimeError: Our own fault, after the window was there.
     """
     params = runner(window, title)
     from imgui_bundle import immapp
@@ -206,4 +210,7 @@ def opened(window: Window, title: str) -> None:
     try:
         immapp.run(params)
     except RuntimeError as fault:
+        # Where a frame was begun, there is a display.
+        if window.frames:
+            raise
         raise MissingTool(NO_DISPLAY) from fault

@@ -9,11 +9,12 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 
 from grader.counterexample.explain import Setting, false_hit, lost_hit, way_to
+from grader.counterexample.shown import steps_of
 from grader.counterexample.table import path_table, tree_table
 from grader.model.mesh import Bvh, Rays
-from grader.model.path import Path
+from grader.model.path import NO_NODE, Path
 from tests.counterexample.paths import PILE, TREE, Walk
-from tests.verify.builder import changed
+from tests.verify.builder import build, changed, soup
 
 LEFT = TREE.order[TREE.begin[1] : TREE.end[1]].tolist()
 RIGHT = TREE.order[TREE.begin[2] : TREE.end[2]].tolist()
@@ -179,3 +180,21 @@ def test_a_copied_box_is_known_by_its_corners() -> None:
     corners[0, 0] = np.nextafter(corners[0, 0], np.float32(np.inf))
     other = replace(setting.path, corners=corners)
     assert Setting(PILE, TREE, other).nodes().tolist() == [-1, 0, 1, -1]
+
+
+@pytest.mark.parametrize("alike", [False, True], ids=["right", "alike"])
+def test_copied_boxes_of_a_large_tree_are_known_too(alike: bool) -> None:
+    """Also where every box is the same: then it is the root's."""
+    mesh = soup(9_000)
+    tree = build(mesh)
+    if alike:
+        low, high = (np.full_like(each, np.nan) for each in (tree.low, tree.high))
+        tree = replace(tree, low=low, high=high)
+    nodes = np.flatnonzero(tree.end)[:: len(tree.end) // 20]
+    count, sides = len(nodes), [tree.low[nodes], tree.high[nodes]]
+    corners = np.concatenate([*sides, np.zeros((count, 3), np.float32)], axis=1)
+    none, all_of_them = np.zeros(count, np.float32), np.ones(count, np.bool_)
+    unknown = np.full(count, NO_NODE, np.uint32)
+    path = Path(all_of_them, all_of_them, unknown, none, none, none, corners, 1.0, count)
+    told = [step.node for step in steps_of(Setting(mesh, tree, path))]
+    assert told == ([0] * count if alike else nodes.tolist())

@@ -216,7 +216,21 @@ class Hands:
         self.wait(ctx, lambda: desk.stage is not None and bool(desk.stage.trouble))
         frames = self.window.frames
         self.wait(ctx, lambda: self.window.frames > frames + 3)
-        return {"text": desk.stage.trouble if desk.stage else ""}
+        assert desk.stage is not None
+        ended = desk.stage.state is State.ENDED and not desk.lacks_tree
+        return {"text": desk.stage.trouble, "old": self.old(ctx) if ended else ""}
+
+    def old(self, ctx: Any) -> str:  # noqa: ANN401 - ImGui's own
+        """Turn the camera away from a picture that stays, and click that."""
+        window, panes, orbit = self.window, self.window.panes, self.window.desk.orbit
+        assert panes is not None
+        assert orbit is not None
+        window.look(orbit.turned(0.3, 0.0))
+        self.wait(ctx, lambda: panes.shown is not None and panes.shown.pixels.max() <= 85)
+        self.to(ctx, 0.5, 1)
+        ctx.mouse_click(0)
+        self.wait(ctx, lambda: bool(window.study.remark))
+        return window.study.remark
 
     def broken(self, ctx: Any) -> dict[str, Any]:  # noqa: ANN401 - ImGui's own
         """Wait until the compiler has complained."""

@@ -2,21 +2,25 @@
 
 from dataclasses import replace
 from pathlib import Path
-from types import SimpleNamespace
+from types import ModuleType, SimpleNamespace
 from typing import Any, cast
 
 import numpy as np
 import pytest
 
 from grader.cli.progress import silent
+from grader.model.views import Step
 from grader.options import Options
+from grader.phrases import teller
 from grader.view import window as window_module
-from grader.view.desk import Desk
+from grader.view.desk import Desk, Mode
 from grader.view.following import Place
+from grader.view.panel import Panel
 from grader.view.panes import Panes
 from grader.view.stage import Stage, State
 from grader.view.status import is_vain
 from grader.view.study import Study
+from grader.view.subject import of_file
 from grader.view.walking import Followed, Walk, cut_off
 from grader.view.window import Window, _hear_drops
 from tests.verify.builder import build, soup
@@ -31,6 +35,7 @@ class StandIn:
     stage: Any = None
     rival: Any = None
     size = 8, 8
+    mode = Mode.SHADED
     is_loading = is_building = False
 
     def __init__(self) -> None:
@@ -118,14 +123,25 @@ def test_every_picture_is_a_file_of_its_own(
     assert released == [True, True]
 
 
-def test_a_click_after_the_end_is_answered() -> None:
-    """No ray can be followed any more, and that is said."""
+@pytest.mark.parametrize(
+    ("moved", "told"),
+    [(0.0, "has ended, so no ray"), (0.2, "of an earlier view: no ray")],
+    ids=["same", "moved"],
+)
+def test_a_click_after_the_end_is_answered(moved: float, told: str) -> None:
+    """No ray can be followed any more; that of an old picture would even be another one."""
     desk = StandIn()
-    desk.stage = SimpleNamespace(state=State.ENDED, subject=of_mesh(soup(3)), tree=None)
+    traced = SimpleNamespace(
+        orbit=desk.orbit, t=np.zeros((8, 8)), seen=np.ones((8, 8), np.bool_)
+    )
+    subject = of_mesh(soup(3))
+    desk.stage = SimpleNamespace(state=State.ENDED, subject=subject, tree=None, traced=traced)
+    desk.orbit = desk.orbit.turned(moved, 0.0)
     study = Study(cast("Desk", desk))
     study._stage = desk.stage
     study.follow((1, 1))
-    assert "has ended" in study.remark
+    assert told in study.remark
+    assert (study.walk is None) == bool(moved)
     study.close()
 
 
@@ -160,3 +176,56 @@ def test_a_long_way_says_where_it_is_cut_off() -> None:
     """Only the first steps are kept, so the last one cannot be reached."""
     assert not cut_off(WALK, str)
     assert cut_off(replace(WALK, total=871_414), str) == "Only the first 0 steps are kept."
+
+
+def test_the_list_of_steps_follows_the_step() -> None:
+    """Once for each step, so that whoever scrolls elsewhere is left there."""
+    steps = tuple(Step(node, -1, True, np.inf) for node in range(50))
+    walk = replace(WALK, steps=steps, total=50)
+    study = SimpleNamespace(walk=walk, step=3)
+    drawn: list[str] = []
+
+    def selectable(name: str, _: bool) -> tuple[bool, bool]:
+        drawn.append(name)
+        return False, False
+
+    scrolled: list[str] = []
+    imgui = SimpleNamespace(
+        begin_child=lambda *_: True,
+        end_child=lambda: None,
+        selectable=selectable,
+        set_scroll_here_y=lambda: scrolled.append(drawn[-1].split(":")[0]),
+    )
+    panel = Panel(cast("Desk", StandIn()), cast("Study", study), str)
+    for step in (3, 3, 40, 40):
+        study.step = step
+        panel._steps(cast("ModuleType", imgui))
+    assert scrolled == ["node 2", "node 39"]
+
+
+def test_why_a_ray_is_wrong_is_told_in_the_language_of_the_rest(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The sentence is the checks' own."""
+    study = Study(cast("Desk", StandIn()), str, teller("de"))
+    walk = replace(WALK, sentence="face 3 is in no leaf of this tree")
+    monkeypatch.setattr(study._following, "take", lambda _: (walk.of, walk))
+    assert study._take_walk(cast("Stage", None))
+    assert study.walk is not None
+    assert study.walk.sentence == "Dreieck 3 ist in keinem Blatt dieses Baums"
+    study.close()
+
+
+def test_what_was_made_of_a_mesh_is_told(tmp_path: Path) -> None:
+    """Its coordinates are other ones now, and faces without an area are gone."""
+    file = tmp_path / "two.obj"
+    file.write_text("v 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\nf 1 2 3\nf 1 2 4\nf 1 1 2\n")
+    origin = of_file(file).origin
+    assert origin == (
+        "the mesh was moved and scaled into the cube from -1 to 1; "
+        "1 faces without any area were left out"
+    )
+    assert teller("de")(origin) == (
+        "das Netz wurde in den Würfel von -1 bis 1 verschoben und skaliert; "
+        "1 Dreiecke ohne Inhalt wurden weggelassen"
+    )

@@ -38,6 +38,30 @@ def test_the_submission_is_built_anew_when_it_is_saved(file: Path) -> None:
         study.close()
 
 
+def test_the_model_solution_rests_while_nobody_compares(file: Path) -> None:
+    """It is shown no view that nobody wants to see, and the present one when it is wanted."""
+    file.write_text(sources.reference())
+    with Desk(file, OPTIONS, confetti) as desk:
+        study = Study(desk)
+        desk.resize(24, 24)
+        desk.compare(Mode.DIFFERENCE)
+        until(lambda: desk.rival is not None and desk.rival.traced.is_done, desk.advance)
+        rival, before = desk.rival, desk.orbit
+        assert rival is not None
+        assert before is not None
+        desk.compare(Mode.SHADED)
+        desk.look(before.turned(0.3, 0))
+        wait(desk, study)
+        assert rival.traced.orbit == before
+        assert rival.traced.is_done
+        for mode in (Mode.REFERENCE, Mode.DIFFERENCE):
+            desk.compare(mode)
+            wait(desk, study)
+            assert desk.rival is rival
+            assert rival.traced.orbit == desk.orbit
+        study.close()
+
+
 def test_after_a_save_one_looks_at_the_same(file: Path) -> None:
     """The same node and the same ray, whatever was compiled in between."""
     file.write_text(sources.reference())

@@ -104,6 +104,31 @@ def test_the_page_has_the_keys_and_buttons_of_the_window(page: Page) -> None:
     assert page.locator("#again").is_hidden()
 
 
+def test_what_is_told_again_is_left_alone(page: Page) -> None:
+    """A button under a mouse that is held down, the focus, and where the list was scrolled."""
+    traced = page.locator("#traced").bounding_box()
+    assert traced is not None
+    page.mouse.click(traced["x"] + traced["width"] / 2, traced["y"] + traced["height"] / 2)
+    page.locator("#steps li").nth(20).wait_for()
+    page.locator("#steps li").nth(9).click()
+    page.locator("#steps li:nth-child(10)[aria-current]").wait_for()
+    page.locator("#node").fill("1")
+    page.locator("#node").blur()
+    page.get_by_text("level 1, faces").wait_for()
+    parent = page.get_by_role("button", name="parent 0")
+    parent.focus()
+    page.evaluate("document.getElementById('steps').scrollTop = 3")
+    parent.hover()
+    page.mouse.down()
+    for _ in range(3):
+        with page.expect_response("**/state"):
+            pass
+    assert page.evaluate("document.activeElement.textContent") == "parent 0"
+    assert page.evaluate("document.getElementById('steps').scrollTop") == 3
+    page.mouse.up()
+    page.get_by_text("level 0, faces").wait_for()
+
+
 def test_both_halves_show_the_same(page: Page, tmp_path: Path) -> None:
     """The scene's up is z, and neither half is rolled against the other."""
     page.locator("#level").focus()

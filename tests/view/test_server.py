@@ -16,7 +16,7 @@ from grader.language import translator
 from grader.model.scene import Scene
 from grader.oracle.scenes import scenes
 from grader.view import server
-from grader.view.camera import frame_of, orbit_of
+from grader.view.camera import Orbit, frame_of, orbit_of
 from grader.view.desk import Desk
 from grader.view.server import HERE, written
 from grader.view.service import DEEPEST_SENT, Service
@@ -175,20 +175,45 @@ def test_no_level_is_chosen_that_a_page_is_not_given(house: Open) -> None:
     assert house.ask("POST", house.at("do"), {"what": "level", "level": 6})[1]["level"] == 6
 
 
-@pytest.mark.parametrize("scene", scenes(), ids=lambda one: one.name)
-def test_a_page_begins_where_the_scene_does(scene: Scene) -> None:
-    """With the same axes, whatever its up is, and the same point in the middle."""
-    mesh = soup(30)
-    home = orbit_of(scene.camera, 1.0)
+def looked_at(home: Orbit) -> tuple[Any, Service]:
+    """Give what takes the place of a desk, and the service of it."""
     desk = SimpleNamespace(
-        subject=Subject("few", "few", mesh, home),
+        subject=Subject("few", "few", soup(30), home),
         light=None,
         stage=None,
         size=(8, 8),
         orbit=home,
     )
     desk.look = lambda orbit: setattr(desk, "orbit", orbit)
-    service = Service(cast("Desk", desk), cast("Study", None), str)
+    return desk, Service(cast("Desk", desk), cast("Study", None), str)
+
+
+@pytest.mark.parametrize(
+    ("size", "traced"),
+    [
+        ([1380, 1094], (1024, 811)),
+        ([500, 2048], (250, 1024)),
+        ([640, 480], (640, 480)),
+        ([0, 3], (16, 16)),
+        ([-5, -9], (16, 16)),
+    ],
+    ids=str,
+)
+def test_a_large_picture_is_traced_in_the_same_shape(
+    size: list[float], traced: tuple[int, int]
+) -> None:
+    """Or both halves would show something else; what is small enough is left alone."""
+    desk, service = looked_at(orbit_of(scenes()[0].camera, 1.0))
+    begun = (service.model() or {})["home"]
+    service.look({**begun, "size": size})
+    assert desk.size == traced
+
+
+@pytest.mark.parametrize("scene", scenes(), ids=lambda one: one.name)
+def test_a_page_begins_where_the_scene_does(scene: Scene) -> None:
+    """With the same axes, whatever its up is, and the same point in the middle."""
+    home = orbit_of(scene.camera, 1.0)
+    desk, service = looked_at(home)
     begun = (service.model() or {})["home"]
     service.look({**begun, "size": [16, 16]})
     assert desk.orbit != home

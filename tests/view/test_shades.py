@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from grader.model.mesh import Mesh
 from grader.report.colours import HEAT
 from grader.view.camera import frame_of, orbit_around
 from grader.view.shades import BACKGROUND, brightness, coloured, differing, heat, light_of, tint
@@ -70,3 +71,17 @@ def test_a_small_mesh_is_moved_as_it_is() -> None:
     few = thinned(large)
     assert 0 < len(few.faces) <= len(large.faces)
     assert few.faces.max() < len(few.vertices)
+
+
+@pytest.mark.parametrize("far", [0.0, 300.0])
+def test_a_mesh_whose_faces_are_smaller_than_a_cell_is_seen_all_the_same(far: float) -> None:
+    """Loose faces, or all in one cell because another one is far away: some of them stay."""
+    large = soup(FEW + 1)
+    corners = large.vertices[large.faces]
+    middle = corners.mean(axis=1, keepdims=True)
+    loose = (middle + 1e-5 * (corners - middle)).reshape(-1, 3).astype(np.float32)
+    loose[:3] += np.float32(far)
+    faces = np.arange(len(loose), dtype=np.uint32).reshape(-1, 3)
+    few = thinned(Mesh(loose, faces))
+    assert FEW // 3 < len(few.faces) <= FEW
+    assert few.faces.max() < len(loose)

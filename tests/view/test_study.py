@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from grader.errors import UsageError
+from grader.language import translator
 from grader.model.trials import (
     ConstructTrial,
     RepeatTrial,
@@ -13,6 +14,7 @@ from grader.model.trials import (
     Trial,
     WorkTrial,
 )
+from grader.phrases import teller
 from grader.view.desk import Desk
 from grader.view.panes import pixel_at
 from grader.view.screenshot import wait
@@ -98,6 +100,9 @@ def test_a_build_with_sanitizers_is_not_this_one() -> None:
     )
     assert "level 9" in told
     assert "sanitizers" in told
+    subject = of_trial("hits.closest-wins", trial, "ray 3: t is 2, but no face is there")
+    german = told_of(subject, translator("de"), teller("de"))
+    assert "Strahl 3: t ist 2, aber dort ist kein Dreieck" in german
 
 
 def test_a_ray_that_ends_the_process_is_named_and_drawn(file: Path) -> None:

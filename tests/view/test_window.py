@@ -19,6 +19,7 @@ from tests.view import sources
 from tests.view.found import middle, trials
 
 DRIVER = Path(__file__).with_name("driver.py")
+ROOT = Path(__file__).parents[2]
 
 
 def driven(display: str, folder: Path, source: str, *deeds: str) -> dict[str, Any]:
@@ -31,7 +32,7 @@ def driven(display: str, folder: Path, source: str, *deeds: str) -> dict[str, An
     words = [sys.executable, "-P", str(DRIVER), str(file), str(told), *deeds]
     done = subprocess.run(
         words,
-        env={**environment, "PYTHONPATH": str(Path(__file__).parents[2])},
+        env={**environment, "PYTHONPATH": str(ROOT)},
         cwd=folder,
         capture_output=True,
         text=True,
@@ -41,6 +42,23 @@ def driven(display: str, folder: Path, source: str, *deeds: str) -> dict[str, An
     assert done.returncode == 0, done.stdout + done.stderr
     seen: dict[str, Any] = json.loads(told.read_text())
     return seen
+
+
+def test_the_packages_load_in_a_session_of_wayland() -> None:
+    """Where glfw would load a library of its own, with which ImGui does not load."""
+    code = "from grader.view.window import Window, runner; runner(Window.__new__(Window), 'x')"
+    environment = {**os.environ, "XDG_SESSION_TYPE": "wayland", "PYTHONPATH": str(ROOT)}
+    # ImGui sets it, if a test before this one has loaded that here.
+    environment.pop("PYGLFW_LIBRARY", None)
+    done = subprocess.run(
+        [sys.executable, "-P", "-c", code],
+        env=environment,
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=600,
+    )
+    assert done.returncode == 0, done.stderr
 
 
 @pytest.mark.usefixtures("cache")
@@ -109,6 +127,7 @@ def test_the_window_outlives_the_submission(
     """It says what happened, goes on drawing, and shows the next build once that is saved."""
     seen = driven(display, tmp_path, source, "trouble", "rebuild")
     assert re.match(told, seen["trouble"]["text"])
+    assert ("earlier view" in seen["trouble"]["old"]) == told.startswith("intersect")
     assert seen["rebuild"]["text"] == ""
     assert seen["rebuild"]["share"] == 1.0
 

@@ -50,7 +50,9 @@
   const show = () => {
     if (!opened || !state) return;
     const { node, ray, step } = state;
-    Object.assign(opened.model, { node: null, expected_box: node ? node.right_box : null, marked: [], ray });
+    // Its faces are those of the mesh that is here, unless another one is on its way.
+    const marked = node && loaded === subject ? node.faces : [];
+    Object.assign(opened.model, { node: null, expected_box: node ? node.right_box : null, marked, ray });
     const what = display(opened, { level: Number(level.value), only: only.checked, step });
     what.levels = true;
     // It may lie below the levels that the page was given.
@@ -66,21 +68,28 @@
     made.addEventListener("click", action);
     return made;
   };
+  // What is told again is left alone: a click, the focus and the scrollbar are somebody's.
+  const family = byId("family");
+  let noded = "null";
   const tellNode = ({ node }) => {
-    byId("facts").textContent = node ? node.told : "";
     if (node && document.activeElement !== byId("node")) byId("node").value = node.index;
-    byId("family").replaceChildren(...(node ? node.family : []).map(([name, index]) => button(`${name} ${index}`, () => wish("node", { node: index }))));
+    const key = JSON.stringify(node), held = [...family.children].indexOf(document.activeElement);
+    if (key === noded) return;
+    noded = key;
+    byId("facts").textContent = node ? node.told : "";
+    family.replaceChildren(...(node ? node.family : []).map(([name, index]) => button(`${name} ${index}`, () => wish("node", { node: index }))));
+    if (held >= 0 && family.lastChild) (family.children[held] ?? family.lastChild).focus();
     byId("faults").replaceChildren(...(node ? node.faults : []).map((text) => Object.assign(document.createElement("li"), { textContent: text })));
   };
-  let listed = "";
+  const noRay = byId("ray-told").textContent;
+  let listed = "", reached = -1;
   const tellRay = ({ ray, step, lost }) => {
-    if (!ray) { list.replaceChildren(); listed = ""; byId("step-told").value = ""; return; }
-    byId("ray-told").textContent = ray.told;
-    byId("step-told").value = filled(words.step, { step, steps: ray.total });
-    const key = JSON.stringify(ray.steps);
+    const key = JSON.stringify([ray, lost]);
+    if (key === listed && step === reached) return;
+    byId("step-told").value = ray ? filled(words.step, { step, steps: ray.total }) : "";
     if (key !== listed) {
-      listed = key;
-      list.replaceChildren(...ray.steps.map((one, place) => {
+      byId("ray-told").textContent = ray ? ray.told : noRay;
+      list.replaceChildren(...(ray ? ray.steps : []).map((one, place) => {
         const item = document.createElement("li");
         const what = one.node !== null ? filled(words.box, one) : one.face !== null ? filled(words.triangle, one) : words.unknown;
         item.textContent = `${what}: ${one.hit ? words.hit : words.missed}${place === lost ? ` \u2190 ${words.lost}` : ""}`;
@@ -89,6 +98,7 @@
         return item;
       }));
     }
+    [listed, reached] = [key, step];
     [...list.children].forEach((item, place) => {
       if (place === step - 1) { item.setAttribute("aria-current", "step"); list.scrollTop = item.offsetTop - list.offsetTop - list.clientHeight / 2; }
       else item.removeAttribute("aria-current");
@@ -112,8 +122,7 @@
     // An answer may come behind one that was given later.
     if (state && now.told < state.told) return;
     state = now;
-    byId("status").textContent = now.status;
-    byId("remark").textContent = now.remark;
+    for (const id of ["status", "remark"]) if (byId(id).textContent !== now[id]) byId(id).textContent = now[id];
     byId("trouble").textContent = now.trouble || failed;
     byId("trouble").hidden = !(now.trouble || failed);
     byId("again").hidden = !now.ended;
