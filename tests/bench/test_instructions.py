@@ -49,8 +49,8 @@ def program(cache: Path, tmp_path_factory: pytest.TempPathFactory) -> tuple[Path
     parts = (counts, mesh.vertices, mesh.faces, rays)
     (folder / "input").write_bytes(b"".join(part.tobytes() for part in parts))
     source, header = Path(__file__).with_name("counted.c"), resources.stub_folder() / "abi"
-    c = (find_compiler().path, "-x", "c", "-O2", f"-I{header}")
-    ran(*c, source, "-o", folder / "counted")
+    words = [find_compiler().path, "-x", "c", "-O2", f"-I{header}", str(source)]
+    ran(*words, "-o", folder / "counted")
     return folder / "counted", folder / "input"
 
 
