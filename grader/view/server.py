@@ -13,7 +13,6 @@ from collections.abc import Sequence
 from contextlib import suppress
 from functools import partial
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
-from pathlib import Path
 from typing import Any
 from urllib.parse import parse_qs, urlsplit
 
@@ -21,15 +20,14 @@ import click
 
 from grader.errors import UsageError
 from grader.language import translator
-from grader.plain import as_name, one_line
-from grader.report.html.page import page
+from grader.plain import one_line
 from grader.view.asked import Unanswered
 from grader.view.desk import Desk
-from grader.view.picture import titles
+from grader.view.dropped import kept
+from grader.view.page import HERE, invitation, written
 from grader.view.service import Service
 from grader.view.study import Study
 
-HERE = "127.0.0.1"
 NAMES = (HERE, "localhost")
 LARGEST = 64 << 10
 """Bytes of a question."""
@@ -50,32 +48,9 @@ def served(desk: Desk, study: Study, scenes: Sequence[str], language: str) -> No
     words = translator(language)
     service = Service(desk, study, words)
     with Door(service, written(desk.path, scenes, language)) as door:
-        click.echo(f"{words('Open this address in a browser of this machine; Ctrl-C ends:')}")
+        click.echo(invitation(door.port, words))
         click.echo(door.address)
         service.serve()
-
-
-def written(path: Path, scenes: Sequence[str], language: str) -> str:
-    """Write the page."""
-    words = translator(language)
-    told = {
-        "step": words("step {step} of {steps}"),
-        "box": words("node {node}"),
-        "triangle": words("face {face}"),
-        "unknown": words("something else"),
-        "hit": words("hit"),
-        "missed": words("missed"),
-        "lost": words("lost here"),
-        "gone": words("The program has ended; start it again."),
-    }
-    name = f"bvhgrade view {as_name(path.name)}"
-    values = {
-        "title": name,
-        "name": name,
-        "scenes": list(scenes),
-        "modes": [(mode.value, title) for mode, title in titles(words).items()],
-    }
-    return page("view", language, values, {"data": {"words": told}})
 
 
 class Door:
@@ -191,19 +166,29 @@ class _Handler(BaseHTTPRequestHandler):
         place = self._place()
         if place is None:
             return
-        given = self._given()
-        if place not in ("look", "do") or given is None:
-            self._json("there is no such question", 400)
-            return
-        service = self._service
         try:
-            self._json(
-                service.ask(lambda: (service.look if place == "look" else service.do)(given))
-            )
+            self._json(self._taken() if place == "drop" else self._done(place))
         except UsageError as fault:
             self._json(one_line(str(fault)), 400)
         except Unanswered as fault:
-            self._json(str(fault), 500)
+            self._json(one_line(str(fault)), 500)
+
+    def _done(self, place: str) -> object:
+        """Do what is asked for in words."""
+        given, service = self._given(), self._service
+        if place not in ("look", "do") or given is None:
+            raise UsageError("there is no such question")
+        return service.ask(lambda: (service.look if place == "look" else service.do)(given))
+
+    def _taken(self) -> object:
+        """Take a file that was dropped onto the page."""
+        size, service = self._size(), self._service
+        name = parse_qs(urlsplit(self.path).query).get("name", [""])[0]
+        # What is left unread would be taken for the next question.
+        self.close_connection = True
+        load = kept(name, size, self.rfile)
+        self.close_connection = False
+        return service.ask(lambda: service.open(load))
 
     def _place(self) -> str | None:
         """What is asked for, behind the secret part; None if it was refused."""
@@ -225,15 +210,20 @@ class _Handler(BaseHTTPRequestHandler):
 
     def _given(self) -> dict[str, Any] | None:
         """The values of a question; None if it is none."""
-        size = self.headers.get("Content-Length") or ""
-        if not size.isdecimal() or int(size) > LARGEST:
+        size = self._size()
+        if not 0 <= size <= LARGEST:
             self.close_connection = True
             return None
         try:
-            given = json.loads(self.rfile.read(int(size)))
+            given = json.loads(self.rfile.read(size))
         except (ValueError, RecursionError):
             return None
         return given if isinstance(given, dict) else None
+
+    def _size(self) -> int:
+        """Bytes of the body; -1 if the page does not say."""
+        size = self.headers.get("Content-Length") or ""
+        return int(size) if size.isdecimal() else -1
 
     def _image(self) -> None:
         """Send the right pane, if it is another one than the page has."""

@@ -22,7 +22,7 @@ from grader.view.answers import Json, node_json, walk_json
 from grader.view.aside import failed
 from grader.view.asked import Unanswered, mode, number, numbers
 from grader.view.camera import within
-from grader.view.desk import Desk
+from grader.view.desk import Desk, Load
 from grader.view.picture import Shown, shown
 from grader.view.remote import home_of, orbit_at
 from grader.view.stage import State
@@ -216,6 +216,12 @@ class Service:
         else:
             raise UsageError("there is no such wish")
         desk.level = min(desk.level, DEEPEST_SENT)
+        return self.state()
+
+    def open(self, load: Load) -> Json:
+        """Show what somebody dropped onto the page, once it is read."""
+        self._own_fault = ""
+        self._desk.choose(load)
         return self.state()
 
     def _trouble(self) -> str:

@@ -12,7 +12,8 @@ from typing import Any
 from grader.cli.progress import silent
 from grader.options import Options
 from grader.view.desk import Desk
-from grader.view.server import Door, written
+from grader.view.page import written
+from grader.view.server import Door
 from grader.view.service import Service
 from grader.view.study import Study
 from grader.view.subject import of_scene

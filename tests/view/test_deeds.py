@@ -62,11 +62,11 @@ def test_a_file_that_is_dropped_is_opened(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The last of several, and not in the frame in which it is heard."""
-    import glfw
     from imgui_bundle import glfw_utils
 
     heard: list[Any] = []
-    monkeypatch.setattr(glfw, "set_drop_callback", lambda _, call: heard.append(call))
+    # By its name: under Wayland it must not be loaded before ImGui.
+    monkeypatch.setattr("glfw.set_drop_callback", lambda _, call: heard.append(call))
     monkeypatch.setattr(glfw_utils, "glfw_window_hello_imgui", lambda: None)
     file = tmp_path / "two.obj"
     file.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\n")

@@ -1,7 +1,9 @@
 """The page as a browser shows it: what hands do to it, and what it survives."""
 
+import re
 from collections.abc import Iterator
 from pathlib import Path
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 import pytest
@@ -13,6 +15,9 @@ from grader.view.stage import Stage
 from tests.view import sources
 from tests.view.served import Open, opened
 from tests.view.shown import until
+
+if TYPE_CHECKING:
+    from playwright.sync_api import FilePayload
 
 PATIENCE = 240_000
 """Milliseconds; only a machine that is much too busy needs more than a few seconds."""
@@ -165,6 +170,41 @@ def test_what_the_program_knows_is_shown(page: Page, house: Open) -> None:
     page.wait_for_function("document.getElementById('level-told').value === '4'")
     assert house.ask("GET", house.at("state"))[1]["level"] == 4
     page.locator("#only").uncheck()
+
+
+DROP = """text => {
+    const data = new DataTransfer();
+    data.items.add(new File(["not this one"], "first.txt"));
+    data.items.add(new File([text], "two.obj"));
+    const how = { dataTransfer: data, bubbles: true, cancelable: true };
+    document.getElementById("stage").dispatchEvent(new DragEvent("drop", how));
+}"""
+
+
+def test_a_file_can_be_dropped_or_chosen(page: Page, tmp_path: Path) -> None:
+    """The last of several; the faces of its node are marked, and what will not do is told."""
+    page.evaluate(DROP, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\n")
+    page.locator("#status").filter(has_text=re.compile("^2 faces")).wait_for()
+    page.locator("#remark").filter(has_text="scaled into the cube").wait_for()
+    page.locator("#traced[data-share='1']").wait_for()
+    # Of a number that stands there already the page would hear nothing.
+    for node in ("7", "0"):
+        page.locator("#node").fill(node)
+        page.locator("#node").blur()
+    page.get_by_text("level 0, faces [0, 2)").wait_for()
+    with page.expect_download() as saved:
+        page.locator("#save").click()
+    saved.value.save_as(tmp_path / "both.png")
+    both = np.asarray(Image.open(tmp_path / "both.png").convert("RGB")).astype(int)
+    red, _, blue = both[:, : (both.shape[1] - 8) // 2].transpose(2, 0, 1)
+    assert ((red > 80) & (blue < red / 5)).mean() > 0.05
+    for name, size, told in (
+        ("notes.txt", 1, "notes.txt: a mesh (.obj, .ply) or a counterexample"),
+        ("big.json", 1_000_001, "big.json has more than 1,000,000 bytes."),
+    ):
+        chosen = {"name": name, "mimeType": "text/plain", "buffer": b" " * size}
+        page.locator("#file").set_input_files(cast("FilePayload", chosen))
+        page.locator("#trouble").filter(has_text=told).wait_for()
 
 
 @pytest.mark.parametrize("what", ["state", "model"])

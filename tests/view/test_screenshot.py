@@ -9,6 +9,7 @@ import pytest
 from grader.view.desk import Desk, Mode
 from grader.view.preview import Preview
 from grader.view.screenshot import GAP, panes, stretched
+from grader.view.stage import State
 from grader.view.study import Study
 from tests.view.shown import confetti
 
@@ -38,9 +39,12 @@ def test_a_picture_of_an_earlier_size_is_stretched(traced: tuple[int, int]) -> N
     """A process that has ended traces none of the size that the pane has now."""
     subject = confetti()
     picture = SimpleNamespace(
-        bright=np.full(traced, 9, np.uint8), seen=np.ones(traced, np.bool_)
+        bright=np.full(traced, 200, np.uint8),
+        seen=np.ones(traced, np.bool_),
+        t=np.ones(traced, np.float32),
+        orbit=subject.home,
     )
-    stage = SimpleNamespace(subject=subject, traced=picture, tree=None)
+    stage = SimpleNamespace(subject=subject, traced=picture, tree=None, state=State.ENDED)
     desk = SimpleNamespace(
         subject=subject,
         orbit=subject.home,

@@ -18,7 +18,7 @@ from grader.oracle.scenes import scenes
 from grader.view import server
 from grader.view.camera import Orbit, frame_of, orbit_of
 from grader.view.desk import Desk
-from grader.view.server import HERE, written
+from grader.view.page import HERE, invitation, written
 from grader.view.service import DEEPEST_SENT, Service
 from grader.view.study import Study
 from grader.view.subject import Subject
@@ -82,6 +82,65 @@ def test_what_cannot_be_asked_is_refused(house: Open, body: Any) -> None:  # noq
     assert status == 400
     assert told
     assert house.ask("GET", house.at("state"))[0] == 200
+
+
+TWO = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\n"
+
+
+def test_a_file_that_is_sent_is_shown(house: Open) -> None:
+    """With what was made of it; one that cannot be read leaves what is there."""
+    before = house.ask("GET", house.at("state"))[1]["subject"]
+    status, told = house.ask("POST", house.at("drop?name=two.obj"), TWO)
+    assert (status, told["subject"]) == (200, before)
+    until(lambda: house.ask("GET", house.at("state"))[1]["subject"] > before, lambda: None)
+    told = house.ask("GET", house.at("state"))[1]
+    assert told["scene"] == "two"
+    assert "scaled into the cube" in told["remark"]
+    root = {"what": "node", "node": 0}
+    until(lambda: bool(house.ask("POST", house.at("do"), root)[1]["node"]), lambda: None)
+    assert house.ask("POST", house.at("do"), root)[1]["node"]["faces"] == [0, 2]
+    assert house.ask("POST", house.at("drop?name=notes.txt"), "x")[0] == 200
+    until(lambda: bool(house.ask("GET", house.at("state"))[1]["trouble"]), lambda: None)
+    trouble = house.ask("GET", house.at("state"))[1]["trouble"]
+    assert trouble.startswith("notes.txt: a mesh")
+    wish = {"what": "scene", "scene": "soup"}
+    assert house.ask("POST", house.at("do"), wish)[0] == 200
+    until(lambda: house.service._desk.subjects > before + 1, lambda: None)
+
+
+@pytest.mark.parametrize(
+    ("place", "headers", "status"),
+    [
+        ("drop?name=a.obj", {"Content-Length": "200000001"}, 400),
+        ("drop?name=a.json", {"Content-Length": "1000001"}, 400),
+        ("drop?name=a.obj", {"Content-Length": "x"}, 400),
+        ("drop?name=a.obj", {"Host": "evil.example"}, 403),
+        ("look", {"Content-Length": "200000"}, 400),
+    ],
+    ids=str,
+)
+def test_no_file_is_taken_that_is_too_large_or_somebody_else_s(
+    house: Open, place: str, headers: dict[str, str], status: int
+) -> None:
+    """It is refused by what is said of it, before it is read."""
+    subject = house.service._desk.subjects
+    assert house.ask("POST", house.at(place), "x", **headers)[0] == status
+    other = house.at(place).replace(house.door.token, "x" * 22)
+    assert house.ask("POST", other, "x")[0] == 404
+    assert house.ask("GET", house.at("state"))[0] == 200
+    assert house.service._desk.subjects == subject
+    assert not house.service._desk.is_loading
+
+
+def test_where_there_is_no_display_the_way_to_one_is_named(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """With the port, so that the address holds there, too."""
+    monkeypatch.delenv("WAYLAND_DISPLAY", raising=False)
+    monkeypatch.setenv("DISPLAY", ":0")
+    assert "ssh" not in invitation(4321, str)
+    monkeypatch.delenv("DISPLAY")
+    assert "ssh -L 4321:127.0.0.1:4321 " in invitation(4321, translator("de"))
 
 
 def test_a_fault_of_ours_costs_one_answer(house: Open, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -100,9 +100,9 @@ def test_a_build_with_sanitizers_is_not_this_one() -> None:
     )
     assert "level 9" in told
     assert "sanitizers" in told
-    subject = of_trial("hits.closest-wins", trial, "ray 3: t is 2, but no face is there")
+    subject = of_trial("bvh.depth-is-limited", trial, "pixel (3, 4): no hit, but a is closer")
     german = told_of(subject, translator("de"), teller("de"))
-    assert "Strahl 3: t ist 2, aber dort ist kein Dreieck" in german
+    assert "Pixel (3, 4): kein Treffer, aber a ist näher" in german
 
 
 def test_a_ray_that_ends_the_process_is_named_and_drawn(file: Path) -> None:

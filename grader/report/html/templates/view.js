@@ -1,7 +1,7 @@
 // The viewer's page: it turns the model here, and asks the program that served it for the rest.
 (() => {
   const byId = (id) => document.getElementById(id);
-  const { words } = JSON.parse(byId("data").textContent);
+  const { words, most } = JSON.parse(byId("data").textContent);
   const filled = (text, values) => text.replace(/\{(\w+)\}/g, (whole, name) => values[name] ?? whole);
   const stage = byId("stage"), traced = byId("traced"), paper = traced.getContext("2d");
   const level = byId("level"), only = byId("only"), mode = byId("mode"), scene = byId("scene");
@@ -22,7 +22,7 @@
     byId("trouble").hidden = false;
   };
   const ask = async (what, body) => {
-    const answer = await fetch(what, body === undefined ? {} : { method: "POST", body: JSON.stringify(body) }).catch(() => { throw new Silent(what); });
+    const answer = await fetch(what, body === undefined ? {} : { method: "POST", body: body instanceof Blob ? body : JSON.stringify(body) }).catch(() => { throw new Silent(what); });
     if (answer.status === 500 || answer.status === 400) throw new Failed(await answer.json());
     if (!answer.ok) throw new Silent(`${what}: ${answer.status}`);
     return answer;
@@ -30,6 +30,14 @@
   const wish = (what, values = {}) => {
     failed = "";
     return ask("do", { what, ...values }).then((answer) => answer.json()).then(take).catch(lost);
+  };
+
+  // What is too large would be refused before it has been sent, and nobody would hear why.
+  const open = (file) => {
+    failed = "";
+    const allowed = file.name.toLowerCase().endsWith(".json") ? most.json : most.mesh;
+    if (file.size > allowed) return lost(new Failed(filled(words.large, { name: file.name, most: allowed.toLocaleString(document.documentElement.lang) })));
+    return ask(`drop?name=${encodeURIComponent(file.name)}`, file).then((answer) => answer.json()).then(take).catch(lost);
   };
 
   // The camera goes to the program as soon as it has taken the one before.
@@ -123,7 +131,8 @@
     if (state && now.told < state.told) return;
     state = now;
     for (const id of ["status", "remark"]) if (byId(id).textContent !== now[id]) byId(id).textContent = now[id];
-    byId("trouble").textContent = now.trouble || failed;
+    // What was just refused comes first: an older trouble may stay for long.
+    byId("trouble").textContent = [failed, now.trouble].filter(Boolean).join(" / ");
     byId("trouble").hidden = !(now.trouble || failed);
     byId("again").hidden = !now.ended;
     if (document.activeElement !== mode) mode.value = now.mode;
@@ -200,6 +209,14 @@
   });
   byId("node").addEventListener("change", () => wish("node", { node: Number(byId("node").value) }));
   byId("anew").addEventListener("click", () => space && space.reset());
+  byId("file").addEventListener("change", () => {
+    [...byId("file").files].slice(-1).forEach(open);
+    // Or the same file could not be chosen again, after it was changed.
+    byId("file").value = "";
+  });
+  // Elsewhere on the page a browser would open the file itself.
+  document.addEventListener("dragover", (event) => event.preventDefault());
+  document.addEventListener("drop", (event) => { event.preventDefault(); [...event.dataTransfer.files].slice(-1).forEach(open); });
   const pixel = (canvas, event) => {
     const box = canvas.getBoundingClientRect();
     return [(event.clientX - box.left) / box.width, (event.clientY - box.top) / box.height];
