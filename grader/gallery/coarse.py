@@ -13,6 +13,9 @@ from grader.model.mesh import Doubles, Integers, Mesh
 FINEST = 2.0
 """Cells along the longest side that are tried first, in square roots of the faces wanted."""
 
+FEWEST = 100
+"""One of so many faces wanted: of a surface far more are left than that."""
+
 BITS = 10
 """Of each coordinate, by which faces are put in order."""
 
@@ -29,10 +32,23 @@ def coarsened(mesh: Mesh, most: int) -> tuple[Mesh, Integers]:
     cells = FINEST * float(np.sqrt(most))
     while True:
         small, kept = _clustered(mesh, cells)
-        if len(small.faces) <= most:
+        if len(kept) < max(1, most // FEWEST):
+            kept = some_of(len(mesh.faces), most)
+            points = mesh.vertices.astype(np.float64)
+            return _renumbered(points, mesh.faces[kept].astype(np.int64)), kept
+        if len(kept) <= most:
             return small, kept
         # Faces of a surface grow with the square of the cells along a side.
-        cells *= min(0.95, float(np.sqrt(most / len(small.faces))))
+        cells *= min(0.95, float(np.sqrt(most / len(kept))))
+
+
+def some_of(faces: int, most: int) -> Integers:
+    """Return (K,) int64, faces spread evenly over all, at most so many.
+
+    For loose faces that are smaller than a cell: no grid keeps them, but some of such faces
+    look like all of them.
+    """
+    return np.arange(0, faces, -(-faces // most))
 
 
 def _clustered(mesh: Mesh, cells: float) -> tuple[Mesh, Integers]:
@@ -52,6 +68,8 @@ def _clustered(mesh: Mesh, cells: float) -> tuple[Mesh, Integers]:
     ordered = np.sort(corners[whole], axis=1) @ np.array([1, count, count * count])
     _, first = np.unique(ordered, return_index=True)
     kept = whole[first]
+    if not kept.size:
+        return mesh, kept
     kept = kept[np.argsort(_along_a_curve(points[mesh.faces[kept, 0]]))]
     return _renumbered(_middles(points, cell, count), corners[kept]), kept
 

@@ -6,6 +6,7 @@ faces; this one is looked at for a moment, and takes a tenth of one.
 
 import numpy as np
 
+from grader.gallery.coarse import FEWEST, some_of
 from grader.model.mesh import Mesh
 
 FEW = 60_000
@@ -13,9 +14,6 @@ FEW = 60_000
 
 CELLS = 104
 """Along the longest side."""
-
-TOO_FEW = FEW // 100
-"""Of a surface far more faces are left; of loose ones smaller than a cell perhaps none."""
 
 
 def thinned(mesh: Mesh) -> Mesh:
@@ -38,8 +36,7 @@ def thinned(mesh: Mesh) -> Mesh:
     key = np.sort(whole, axis=1).astype(np.int64)
     code = (key[:, 0] * len(cell) + key[:, 1]) * len(cell) + key[:, 2]
     _, first = np.unique(code, return_index=True)
-    if first.size < TOO_FEW:
-        # No grid helps there, but some of such faces look like all of them.
-        step = -(-len(mesh.faces) // FEW)
-        return Mesh(mesh.vertices, np.ascontiguousarray(mesh.faces[::step]))
+    if first.size < FEW // FEWEST:
+        some = mesh.faces[some_of(len(mesh.faces), FEW)]
+        return Mesh(mesh.vertices, np.ascontiguousarray(some))
     return Mesh(mesh.vertices, whole[first].astype(np.uint32))

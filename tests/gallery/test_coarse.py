@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from grader.gallery.coarse import coarsened
+from grader.model.mesh import Mesh
 from grader.oracle.scenes import load_mesh
 
 
@@ -57,3 +58,18 @@ def test_neighbours_in_the_list_are_neighbours_in_space() -> None:
     middle = small.vertices[small.faces].mean(axis=1)
     steps = np.linalg.norm(np.diff(middle, axis=0), axis=1)
     assert np.median(steps) < np.ptp(small.vertices, axis=0).max() / 20
+
+
+@pytest.mark.parametrize("far", [False, True])
+def test_of_loose_faces_smaller_than_a_cell_some_are_left(far: bool) -> None:
+    """No grid keeps them, or only the one that is far away."""
+    rng = np.random.default_rng(5)
+    middle = rng.uniform(-1, 1, (5_000, 1, 3))
+    corners = middle + rng.uniform(-1e-6, 1e-6, (5_000, 3, 3))
+    if far:
+        corners[0] = [[1e3, 0, 0], [2e3, 0, 0], [1e3, 1e3, 0]]
+    faces = np.arange(15_000, dtype=np.uint32).reshape(-1, 3)
+    mesh = Mesh(corners.reshape(-1, 3).astype(np.float32), faces)
+    small, kept = coarsened(mesh, 400)
+    assert 200 <= len(small.faces) == len(kept) <= 400
+    assert (small.vertices[small.faces[:, 0]] == mesh.vertices[mesh.faces[kept, 0]]).all()
