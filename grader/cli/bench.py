@@ -8,7 +8,7 @@ from grader.report.escape import line_for_terminal
 
 
 @click.command(short_help="Print the table of performance goals, as ratios.")
-@click.option("--quick", is_flag=True, help="A smaller mesh, fewer rounds: a few minutes.")
+@click.option("--quick", is_flag=True, help="A smaller mesh, fewer rounds: a minute or two.")
 @click.option(
     "--write",
     "folder",
@@ -19,7 +19,8 @@ from grader.report.escape import line_for_terminal
 def bench(quick: bool, folder: Path | None) -> None:
     """Print the table of performance goals, as ratios measured inside this run.
 
-    It takes about twenty minutes; a machine that is busy with something else spoils it.
+    It grades a thousand files and more, so it takes a while; a machine that is busy with
+    something else spoils it.
 
     Exit status: 0 it was measured, 3 something of ours failed.
     """

@@ -52,7 +52,10 @@ def some_of(faces: int, most: int) -> Integers:
 
 
 def _clustered(mesh: Mesh, cells: float) -> tuple[Mesh, Integers]:
-    """Pull together the vertices of each cell, and keep the faces that still are triangles."""
+    """Pull together the vertices of each cell, and keep the faces that still are triangles.
+
+    If none does, the mesh comes back as it was, and no face was kept.
+    """
     points = mesh.vertices.astype(np.float64)
     low, size = points.min(axis=0), float(np.ptp(points, axis=0).max()) or 1.0
     place = np.floor((points - low) * (cells / size)).astype(np.int64)

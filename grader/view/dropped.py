@@ -68,12 +68,12 @@ def _read(file: Path, left: ExitStack) -> Subject:
 
 
 def _copy(body: BufferedIOBase, size: int, file: Path) -> None:
-    with file.open("wb") as kept:
+    with file.open("wb") as written:
         while size:
             part = body.read(min(size, CHUNK))
             if not part:
                 raise UsageError(f"{file.name} did not arrive whole")
-            size -= kept.write(part)
+            size -= written.write(part)
 
 
 def _safe(name: str) -> str:

@@ -34,6 +34,11 @@ def job(folder: Path, clerks: int | None = 2, scheduler: str | None = None) -> J
     return Job(folder, SETTINGS, WISH, clerks, entry=ENTRY, scheduler=scheduler)
 
 
+def anew(folder: Path) -> Job:
+    """The class of a folder with another seed."""
+    return replace(job(folder), settings=replace(SETTINGS, seed=7), preview=True)
+
+
 def begun(log: Path) -> list[str]:
     """The texts of the submissions whose grading has begun so far."""
     return log.read_text().splitlines() if log.exists() else []

@@ -9,6 +9,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from playwright.sync_api import Browser, Page
+
 from grader.cli.progress import silent
 from grader.options import Options
 from grader.view.desk import Desk
@@ -19,6 +21,9 @@ from grader.view.study import Study
 from grader.view.subject import of_scene
 
 OPTIONS = Options(41, None, (), silent, isolated=False)
+
+PATIENCE = 240_000
+"""Milliseconds; only a machine that is much too busy needs more than a few seconds."""
 
 
 @dataclass(frozen=True)
@@ -71,3 +76,14 @@ def opened(file: Path) -> Iterator[Open]:
     finally:
         ready[0].service.is_over = True
         assert over.wait(120)
+
+
+def shown(house: Open, browser: Browser, noticed: list[str]) -> Page:
+    """Open the page in a browser, and note what goes wrong there."""
+    # What playwright waits for is evaluated, which the page's own policy forbids.
+    found = browser.new_page(viewport={"width": 1200, "height": 1000}, bypass_csp=True)
+    found.set_default_timeout(PATIENCE)
+    found.on("console", lambda one: noticed.extend([one.text] * (one.type == "error")))
+    found.on("pageerror", lambda error: noticed.append(str(error)))
+    found.goto(house.door.address)
+    return found

@@ -1,4 +1,4 @@
-"""The page as a browser shows it: what hands do to it, and what it survives."""
+"""The page as a browser shows it: what hands do to it."""
 
 import re
 from collections.abc import Iterator
@@ -8,33 +8,15 @@ from typing import TYPE_CHECKING, cast
 import numpy as np
 import pytest
 from PIL import Image
-from playwright.sync_api import Browser, Page, Route
+from playwright.sync_api import Browser, Page
 
-from grader.view.desk import Desk
-from grader.view.stage import Stage
-from tests.view import sources
-from tests.view.served import Open, opened
-from tests.view.shown import until
+from tests.view.served import Open, shown
 
 if TYPE_CHECKING:
     from playwright.sync_api import FilePayload
 
-PATIENCE = 240_000
-"""Milliseconds; only a machine that is much too busy needs more than a few seconds."""
-
 LEFT, RIGHT = (20, 23, 28), (24, 26, 31)
 """Colours of what is empty."""
-
-
-def shown(house: Open, browser: Browser, noticed: list[str]) -> Page:
-    """Open the page in a browser, and note what goes wrong there."""
-    # What playwright waits for is evaluated, which the page's own policy forbids.
-    found = browser.new_page(viewport={"width": 1200, "height": 1000}, bypass_csp=True)
-    found.set_default_timeout(PATIENCE)
-    found.on("console", lambda one: noticed.extend([one.text] * (one.type == "error")))
-    found.on("pageerror", lambda error: noticed.append(str(error)))
-    found.goto(house.door.address)
-    return found
 
 
 @pytest.fixture
@@ -205,134 +187,3 @@ def test_a_file_can_be_dropped_or_chosen(page: Page, tmp_path: Path) -> None:
         chosen = {"name": name, "mimeType": "text/plain", "buffer": b" " * size}
         page.locator("#file").set_input_files(cast("FilePayload", chosen))
         page.locator("#trouble").filter(has_text=told).wait_for()
-
-
-@pytest.mark.parametrize("what", ["state", "model"])
-def test_what_fails_once_is_asked_again(house: Open, browser: Browser, what: str) -> None:
-    """Also what cannot be read, and a refusal is told in its own words."""
-    page = shown(house, browser, [])
-    page.locator("#traced[data-share='1']").wait_for()
-    left = ["abort", "text", "abort"]
-
-    def fail(route: Route) -> None:
-        how = left.pop() if left else ""
-        if how == "abort":
-            route.abort()
-        elif how:
-            route.fulfill(status=200, body="{")
-        else:
-            route.continue_()
-
-    page.route(f"**/{what}", fail)
-    for scene, faces in (("nested", "11,008 faces"), ("soup", "1,200 faces")):
-        before = page.evaluate("document.body.dataset.shown")
-        page.locator("#scene").select_option(scene)
-        page.locator("#scene").blur()
-        page.get_by_text(faces).wait_for()
-        page.wait_for_function("old => document.body.dataset.shown !== old", arg=before)
-    assert not left
-    assert page.locator("#trouble").is_hidden()
-    page.locator("#node").fill("1e300")
-    page.locator("#node").blur()
-    page.get_by_text("node must be a number").wait_for()
-    page.close()
-
-
-def test_a_mesh_that_comes_late_is_seen_from_its_own_place(
-    house: Open, browser: Browser
-) -> None:
-    """The tree is there before it; the camera is not that of the scene before."""
-    page = shown(house, browser, [])
-    page.locator("#traced[data-share='1']").wait_for()
-    page.locator("#stage").focus()
-    for _ in range(4):
-        page.keyboard.press("ArrowLeft")
-    before = house.ask("GET", house.at("state"))[1]
-    held: list[Route] = []
-    page.route("**/model", lambda route: held.append(route), times=1)
-    page.locator("#scene").select_option("nested")
-    page.locator("#scene").blur()
-    until(lambda: bool(held), lambda: page.wait_for_timeout(20))
-    desk = house.service._desk
-    first = desk.stage
-    assert house.ask("POST", house.at("do"), {"what": "again"})[0] == 200
-    until(lambda: has_new_tree(house, first), lambda: page.wait_for_timeout(20))
-    page.keyboard.press("n")
-    page.get_by_text("11,008 faces").wait_for()
-    later = f"document.body.dataset.shown.startsWith('{before['subject'] + 1}.')"
-    page.wait_for_function(later)
-    held[0].continue_()
-    until(lambda: is_home(desk), lambda: page.wait_for_timeout(20))
-    page.close()
-
-
-def test_a_mesh_that_is_lost_is_asked_for_again(house: Open, browser: Browser) -> None:
-    """Also if something else was told meanwhile."""
-    page = shown(house, browser, [])
-    page.locator("#traced[data-share='1']").wait_for()
-    before = page.evaluate("document.body.dataset.shown")
-    held: list[Route] = []
-    page.route("**/model", lambda route: held.append(route), times=1)
-    assert house.ask("POST", house.at("do"), {"what": "again"})[0] == 200
-    until(lambda: bool(held), lambda: page.wait_for_timeout(20))
-    page.locator("#stage").focus()
-    with page.expect_response("**/do"):
-        page.keyboard.press("n")
-    page.wait_for_timeout(200)
-    held[0].abort()
-    page.wait_for_function("old => document.body.dataset.shown !== old", arg=before)
-    page.close()
-
-
-def has_new_tree(house: Open, old: Stage | None) -> bool:
-    """Tell whether another run than the old one has a tree, and the page may hear of it."""
-    stage, known = house.service._desk.stage, house.service._tree
-    return stage is not None and stage is not old and known is stage.tree is not None
-
-
-def is_home(desk: Desk) -> bool:
-    """Tell whether the camera is where that of the scene begins."""
-    orbit, subject = desk.orbit, desk.subject
-    return orbit is not None and subject is not None and orbit.yaw == subject.home.yaw
-
-
-def test_a_program_that_is_gone_is_told(house: Open, browser: Browser) -> None:
-    """After a few more questions."""
-    page = shown(house, browser, [])
-    page.locator("#traced[data-share='1']").wait_for()
-    page.route("**/state", lambda route: route.abort())
-    page.get_by_text("The program has ended").wait_for()
-    page.close()
-
-
-@pytest.mark.usefixtures("cache")
-@pytest.mark.parametrize(
-    ("source", "told"),
-    [
-        (sources.CRASHES_AT_THE_RIGHT, "SIGSEGV"),
-        (sources.HANGS_AT_THE_RIGHT, "did not come back"),
-    ],
-    ids=["crash", "hang"],
-)
-def test_the_page_outlives_the_submission(
-    browser: Browser, tmp_path: Path, source: str, told: str
-) -> None:
-    """It says what happened, runs it again, and shows the next build once that is saved."""
-    noticed: list[str] = []
-    file = tmp_path / "exercise03.cpp"
-    file.write_text(source)
-    with opened(file) as house:
-        page = shown(house, browser, noticed)
-        trouble, again = page.locator("#trouble"), page.locator("#again")
-        trouble.filter(has_text=told).wait_for()
-        assert "intersect, pixel (" in (trouble.text_content() or "")
-        before = page.evaluate("document.body.dataset.shown")
-        again.click()
-        page.wait_for_function("old => document.body.dataset.shown !== old", arg=before)
-        trouble.filter(has_text=told).wait_for()
-        file.write_text(sources.reference())
-        trouble.wait_for(state="hidden")
-        page.locator("#traced[data-share='1']").wait_for()
-        assert again.is_hidden()
-        page.close()
-    assert not noticed
