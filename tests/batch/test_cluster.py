@@ -60,8 +60,10 @@ def test_results_are_those_of_this_machine(
     assert (totals.graded, totals.withheld) == (15, 2)
     assert seen.stages == {"[red]tracing[/red]"}
     assert max(under_way) == 4
-    assert [said.partition(":")[0] for said in seen.troubles] == ["cy", "dan"]
-    assert "SIGKILL" in seen.troubles[1]
+    # In any order: four are under way, and a machine that is slow may be late with the first.
+    cy, dan = sorted(seen.troubles)
+    assert [said.partition(":")[0] for said in (cy, dan)] == ["cy", "dan"]
+    assert "SIGKILL" in dan
     counts = {text: begun(log).count(text) for text in ("raise", "die", "die once", "code 3")}
     assert counts == {"raise": 1, "die": 2, "die once": 2, "code 3": 1}
     grade(path, job(tmp_path / "near"))
