@@ -183,7 +183,8 @@ class Timing:
     """Sum of the workers' wall time."""
 
     grader: float
-    """The plan of the trials and all checks; overlaps with the other two."""
+    """Intake, the proof of isolation, the plan of the trials and all checks; the latter two
+    overlap with the other times."""
 
     total: float
     stages: tuple[tuple[str, float], ...]
