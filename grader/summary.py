@@ -10,6 +10,7 @@ import grader
 from grader.diagnose.causes import likely_causes
 from grader.diagnose.notes import Notes
 from grader.model.cases import (
+    AlteredCase,
     Case,
     ImageCase,
     MemoryCase,
@@ -123,12 +124,16 @@ class Summary:
         ]
 
     def broken(self, faults: Iterable[tuple[str, str]]) -> None:
-        """Take note of our own faults: the name of a trial and what went wrong there."""
+        """Take note of our own faults: the name of a trial and what went wrong there.
+
+        They are answers that contradict each other, so all checks that compare with answers
+        are undecided, whichever trial it was.
+        """
         for name, reason in faults:
             self._findings += [
                 Finding(each.id, name, Verdict.BROKEN, NOTHING, reason)
                 for each in self.selection.checks
-                if each.id.startswith(("hits.", "image."))
+                if each.id.startswith(("hits.", "image.")) or each.kind is AlteredCase
             ]
 
     def failed_to_judge(self, reason: str) -> None:
