@@ -9,12 +9,11 @@ from tempfile import mkdtemp
 
 from grader.build.callgraph import Tangled, read_assembly
 from grader.build.compiler import find_compiler
-from grader.build.compiling import Compilation, compiled, compiled_once
+from grader.build.compiling import TRUSTED, Compilation, compiled, compiled_once
 from grader.build.diagnostics import read_diagnostics
 from grader.build.stopped import why_stopped
 from grader.build.workspace import GRADED, SANITIZED, Workspace, with_real_depth, workspace
 from grader.errors import BuildFault
-from grader.model.grade import CompileLimits
 from grader.model.stages import SOURCE_PATH, Build, CallGraph, Diagnostic, Further, Submission
 from grader.resources import reference_source
 from grader.sandbox.selftest import unconfined
@@ -175,7 +174,7 @@ def compile_trusted(submission: Submission, folder: Path) -> Path | None:
 
 
 def _trusted(submission: Submission, folder: Path) -> _Linked:
-    work = prepared(submission, Compilation(folder, unconfined(), CompileLimits()))
+    work = prepared(submission, Compilation(folder, unconfined(), TRUSTED))
     return _link(workspace(find_compiler(), GRADED), work, GRADED.name)
 
 

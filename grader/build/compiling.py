@@ -28,6 +28,16 @@ PATIENCE = 2.0
 A container with half a processor gives two compilers a quarter each.
 """
 
+TRUSTED = CompileLimits(
+    seconds=60,
+    wall_seconds=300,
+    memory_mib=4096,
+    file_mib=256,
+    tasks=64,
+    output_kib=64,
+)
+"""For sources of ours: these limits only end a machine's bad day."""
+
 
 @dataclass(frozen=True, slots=True)
 class Compilation:
