@@ -26,7 +26,7 @@ from grader.sandbox.scratch import scratch_folder
 from grader.sandbox.selftest import proved_isolation, unconfined
 from grader.selection import Selection, select
 from grader.solution import Solution
-from grader.summary import Summary
+from grader.summary import Stages, Summary, timed
 
 NOTHING = Plan((), ())
 """The plan of a run that only compiles."""
@@ -57,9 +57,11 @@ def grade_with(path: Path, options: Options, seeds: Sequence[int]) -> list[Grade
         UsageError: The path, the rubric or the name of a check is wrong.
         GraderError: Our own fault; nothing is concluded about the submission.
     """
-    selection = select(options.rubric, options.only, options.for_student)
-    submission = locate(path, selection.rubric.limits.source_kib << 10)
-    return _grades(submission, selection, options, seeds)
+    before: Stages = []
+    with timed("intake", options.progress, before):
+        selection = select(options.rubric, options.only, options.for_student)
+        submission = locate(path, selection.rubric.limits.source_kib << 10)
+    return _grades(submission, selection, options, seeds, before)
 
 
 def grade_located(submission: Submission | Rejected, options: Options) -> Grade:
@@ -70,7 +72,7 @@ def grade_located(submission: Submission | Rejected, options: Options) -> Grade:
         GraderError: Our own fault; nothing is concluded about the submission.
     """
     selection = select(options.rubric, options.only, options.for_student)
-    return _grades(submission, selection, options, (options.seed,))[0]
+    return _grades(submission, selection, options, (options.seed,), [])[0]
 
 
 def withheld_grade(submission: Submission | Rejected, options: Options, reason: str) -> Grade:
@@ -80,7 +82,7 @@ def withheld_grade(submission: Submission | Rejected, options: Options, reason: 
         UsageError: The rubric or the name of a check is wrong.
     """
     selection = select(options.rubric, options.only, options.for_student)
-    summary = _summary(selection, options)
+    summary = _summary(selection, options, [])
     summary.failed_to_judge(reason)
     return summary.grade(submission, None, ())
 
@@ -90,39 +92,37 @@ def _grades(
     selection: Selection,
     options: Options,
     seeds: Sequence[int],
+    before: Stages,
 ) -> list[Grade]:
-    """Grade with several seeds, and compile once."""
-    limits = selection.rubric.limits
-    every = [replace(options, seed=seed) for seed in seeds]
+    """Grade with several seeds, and compile once; `before` is what was done already."""
+    with timed("isolation", options.progress, before):
+        isolation_of(options)
+    # Each begins when the one before it is done, for the sake of its times.
+    summaries = (_summary(selection, replace(options, seed=seed), before) for seed in seeds)
     if isinstance(submission, Rejected):
-        return [_rejected(submission, selection, each) for each in every]
+        return [_rejected(submission, each) for each in summaries]
+    limits = selection.rubric.limits
     with scratch_folder() as folder, Nursery() as nursery, ThreadPoolExecutor(1) as aside:
         further = selection.further - SLOW_BUILDS if options.quick else selection.further
         order = _compilation(folder, limits, options, further)
         building = aside.submit(compile_submission, submission, order)
-        return [_graded(submission, building, nursery, selection, each) for each in every]
+        return [_graded(submission, building, nursery, each) for each in summaries]
 
 
-def _rejected(submission: Rejected, selection: Selection, options: Options) -> Grade:
-    summary = _summary(selection, options)
+def _rejected(submission: Rejected, summary: Summary) -> Grade:
     summary.examine([BuildCase("build", (submission.reason,))])
     return summary.grade(submission, None, ())
 
 
-def _summary(selection: Selection, options: Options) -> Summary:
-    level = isolation_of(options).level.value
-    return Summary(selection, options.seed, options.progress, level)
+def _summary(selection: Selection, options: Options, before: Stages) -> Summary:
+    return Summary(selection, options, isolation_of(options).level.value, before)
 
 
 def _graded(
-    submission: Submission,
-    building: Future[Build],
-    nursery: Nursery,
-    selection: Selection,
-    options: Options,
+    submission: Submission, building: Future[Build], nursery: Nursery, summary: Summary
 ) -> Grade:
     """Grade with one seed what is being compiled."""
-    summary = _summary(selection, options)
+    selection, options = summary.selection, summary.options
     with summary.stage("build and plan"):
         solution = None if selection.runs_nothing else Solution()
         plan = _plan(solution, options.seed, selection, summary) if solution else NOTHING

@@ -9,6 +9,7 @@ import stat
 from pathlib import Path
 
 from grader.errors import GraderError, OutputFault, UsageError
+from grader.model.stages import SOURCE_NAME, SOURCE_PATH
 
 _PACKAGE = Path(__file__).resolve().parent
 
@@ -28,7 +29,7 @@ def reference_source(package: Path = _PACKAGE) -> Path:
     Args:
         package: Folder of the `grader` package; only tests name another one.
     """
-    return _folder("reference", package) / "src" / "exercise03.cpp"
+    return _folder("reference", package) / SOURCE_PATH
 
 
 def fast_source(package: Path = _PACKAGE) -> Path:
@@ -37,7 +38,7 @@ def fast_source(package: Path = _PACKAGE) -> Path:
     Args:
         package: Folder of the `grader` package; only tests name another one.
     """
-    return _folder("reference", package) / "fast" / "exercise03.cpp"
+    return _folder("reference", package) / "fast" / SOURCE_NAME
 
 
 def scenes_folder(package: Path = _PACKAGE) -> Path:

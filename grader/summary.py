@@ -10,6 +10,7 @@ import grader
 from grader.diagnose.causes import likely_causes
 from grader.diagnose.notes import Notes
 from grader.model.cases import (
+    AlteredCase,
     Case,
     ImageCase,
     MemoryCase,
@@ -21,7 +22,7 @@ from grader.model.grade import Cause, CheckScore, Grade, Provenance, Timing
 from grader.model.stages import PARTS, Build, Rejected, Stop, Submission
 from grader.model.trials import ImageTrial, Trial
 from grader.model.verdict import Finding, Verdict
-from grader.options import Progress
+from grader.options import Options, Progress
 from grader.oracle.scenes import scenes_sha256
 from grader.run.trials import part_of
 from grader.sandbox.streams import DROPPED
@@ -33,48 +34,62 @@ from grader.verify.planned import kinds_of, planned_cases
 from grader.verify.tree import shape
 from grader.verify.work import excludes_most_triangles, unproven
 
+Stages = list[tuple[str, float]]
+"""Name and wall seconds of each stage so far."""
+
+
+@contextmanager
+def timed(name: str, progress: Progress, stages: Stages) -> Iterator[None]:
+    """Take the wall time of one stage and show that it has begun."""
+    progress(name, 0, 0)
+    started = time.monotonic()
+    yield
+    stages.append((name, time.monotonic() - started))
+
 
 class Summary:
     """What is known of one submission so far."""
 
     def __init__(
-        self, selection: Selection, seed: int, progress: Progress, isolation: str
+        self,
+        selection: Selection,
+        options: Options,
+        isolation: str,
+        before: Sequence[tuple[str, float]] = (),
     ) -> None:
         """Begin with nothing.
 
         Args:
             selection: The checks and what they are worth.
-            seed: What meshes and rays are drawn from.
-            progress: Is told which stage has begun.
+            options: How to grade.
             isolation: Name of the level that submissions run at.
+            before: Stages that are over. They are the grader's own work, and take nothing of
+                the submission's time.
         """
-        self._selection = selection
-        self._seed = seed
+        self.selection, self.options = selection, options
         self._isolation = isolation
-        self._progress = progress
         self._examiner = Examiner(selection.checks)
         self._notes = Notes()
         self._findings: list[Finding] = []
         self._untouched: set[str] = set()
         self._touched: set[str] = set()
         self._begun = time.monotonic()
-        self._stages: list[tuple[str, float]] = []
+        self._stages = list(before)
+        self._seconds_before = sum(spent for _, spent in before)
         self._worker_seconds = 0.0
         self._flooded = 0
         self.plan_seconds = 0.0
         """Wall seconds that the plan of the trials took."""
 
     def elapsed(self) -> float:
-        """Wall seconds since the grade began."""
+        """Wall seconds of the submission's time: what was before it is left out."""
         return time.monotonic() - self._begun
 
     @contextmanager
     def stage(self, name: str) -> Iterator[None]:
         """Take the wall time of one stage and show that it has begun."""
-        self._progress(name, 0, 0)
-        started = time.monotonic()
-        yield
-        self._stages.append((name, time.monotonic() - started))
+        with timed(name, self.options.progress, self._stages):
+            yield
 
     def examine(self, cases: Iterable[Case]) -> None:
         """Decide the checks on cases as they come in; none of them is kept."""
@@ -95,7 +110,7 @@ class Summary:
         """Judge what a worker that died has left unproven."""
         evidence = unproven(case)
         check = excludes_most_triangles
-        if evidence is None or check not in self._selection.checks:
+        if evidence is None or check not in self.selection.checks:
             return []
         return [Finding(check.id, case.name, Verdict.FAIL, evidence)]
 
@@ -104,24 +119,28 @@ class Summary:
         reason = "it stood in line for a processor for too long; grade it again"
         self._findings += [
             _of_scene(Finding(each.id, trial.name, Verdict.BROKEN, NOTHING, reason), trial)
-            for each in self._selection.checks
+            for each in self.selection.checks
             if each.kind in kinds_of(trial) and each.when(trial)
         ]
 
     def broken(self, faults: Iterable[tuple[str, str]]) -> None:
-        """Take note of our own faults: the name of a trial and what went wrong there."""
+        """Take note of our own faults: the name of a trial and what went wrong there.
+
+        They are answers that contradict each other, so all checks that compare with answers
+        are undecided, whichever trial it was.
+        """
         for name, reason in faults:
             self._findings += [
                 Finding(each.id, name, Verdict.BROKEN, NOTHING, reason)
-                for each in self._selection.checks
-                if each.id.startswith(("hits.", "image."))
+                for each in self.selection.checks
+                if each.id.startswith(("hits.", "image.")) or each.kind is AlteredCase
             ]
 
     def failed_to_judge(self, reason: str) -> None:
         """Conclude nothing at all: we failed before or between the checks."""
         self._findings = [
             Finding(each.id, "grader", Verdict.BROKEN, NOTHING, reason)
-            for each in self._selection.checks
+            for each in self.selection.checks
         ]
 
     def closed(self, gate: str) -> bool:
@@ -138,7 +157,7 @@ class Summary:
     ) -> Grade:
         """Score what was found."""
         build = self._remarked(build)
-        rubric, checks = self._selection.rubric, self._selection.checks
+        rubric, checks = self.selection.rubric, self.selection.checks
         started = self._started()
         scores = score_checks(
             rubric,
@@ -177,7 +196,7 @@ class Summary:
         if not secret:
             return causes
         known = {one.check for one in scores} - secret
-        shown = [each for each in self._selection.checks if each.id in known]
+        shown = [each for each in self.selection.checks if each.id in known]
         notes = self._notes.only(lambda case: any(looks_at(each, case) for each in shown))
         told = likely_causes(notes, failed & known)
         return {check: cause for check, cause in causes.items() if check in secret} | told
@@ -212,9 +231,9 @@ class Summary:
             return None
         remarks = list(build.remarks)
         if self._flooded:
-            limit = self._selection.rubric.limits.output_kib
+            limit = self.selection.rubric.limits.output_kib
             remarks.append(f"it prints more than {limit} KiB in one run; the rest was dropped")
-        if hidden := self._selection.hidden:
+        if hidden := self.selection.hidden:
             names = ", ".join(hidden)
             remarks.append(f"the rubric hides these checks, so they were not run: {names}")
         return replace(build, remarks=tuple(remarks))
@@ -222,9 +241,9 @@ class Summary:
     def _provenance(self, build: Build | None) -> Provenance:
         return Provenance(
             grader=grader.__version__,
-            rubric_sha256=self._selection.rubric.sha256,
-            scenes_sha256=scenes_sha256(self._selection.rubric.scenes),
-            seed=self._seed,
+            rubric_sha256=self.selection.rubric.sha256,
+            scenes_sha256=scenes_sha256(self.selection.rubric.scenes),
+            seed=self.options.seed,
             compiler=build.compiler if build else "",
             flags=build.flags if build else (),
             isolation=self._isolation,
@@ -233,13 +252,12 @@ class Summary:
 
     def timing(self, build: Build | None) -> Timing:
         """Say where the time went until now."""
-        total = time.monotonic() - self._begun
-        compile_seconds = build.seconds if build else 0.0
+        before, checks = self._seconds_before, sum(self._examiner.seconds.values())
         return Timing(
-            compile=compile_seconds,
+            compile=build.seconds if build else 0.0,
             submission=self._worker_seconds,
-            grader=self.plan_seconds + sum(self._examiner.seconds.values()),
-            total=total,
+            grader=before + self.plan_seconds + checks,
+            total=before + self.elapsed(),
             stages=tuple(self._stages),
         )
 

@@ -47,7 +47,11 @@ class Table:
         return UsageError(f"{self._where}: {key} is {found}, but expected is {expected}")
 
     def only(self, *known: str) -> None:
-        """Refuse keys that nobody reads."""
+        """Refuse keys that nobody reads.
+
+        Raises:
+            UsageError: There is such a key.
+        """
         for key in self._values:
             if key not in known:
                 raise UsageError(
@@ -56,7 +60,11 @@ class Table:
                 )
 
     def table(self, key: str) -> "Table":
-        """A table that must be there."""
+        """A table that must be there.
+
+        Raises:
+            UsageError: It is missing, or no table.
+        """
         value = self._taken(key, dict, f"a table [{key}]")
         return Table(f"{self._where}: [{key}]", value)
 
@@ -65,7 +73,11 @@ class Table:
         return key in self._values
 
     def tables(self, key: str) -> list["Table"]:
-        """An array of tables; each knows its number, and its check or name if it has one."""
+        """An array of tables; each knows its number, and its check or name if it has one.
+
+        Raises:
+            UsageError: It is missing, or no array of tables.
+        """
         values = self._taken(key, list, f"tables [[{key}]]")
         made: list[Table] = []
         for number, value in enumerate(values, start=1):
@@ -77,14 +89,22 @@ class Table:
         return made
 
     def text(self, key: str) -> str:
-        """A string that is not empty."""
+        """A string that is not empty.
+
+        Raises:
+            UsageError: It is missing, empty, or no string.
+        """
         value: str = self._taken(key, str, "a text")
         if not value.strip():
             raise self.fault(key, "empty", "a text")
         return value
 
     def choice(self, key: str, known: Iterable[str], absent: str | None = None) -> str:
-        """One of the known words; a wrong one is told the nearest."""
+        """One of the known words; a wrong one is told the nearest.
+
+        Raises:
+            UsageError: It is another one, or missing and `absent` is None.
+        """
         if absent is not None and key not in self._values:
             return absent
         known = tuple(known)
@@ -99,14 +119,22 @@ class Table:
         return value
 
     def flag(self, key: str, *, absent: bool) -> bool:
-        """True or false."""
+        """True or false.
+
+        Raises:
+            UsageError: It is neither.
+        """
         if key not in self._values:
             return absent
         value: bool = self._taken(key, bool, "true or false")
         return value
 
     def number(self, key: str, least: float, most: float) -> float:
-        """A finite number in a range."""
+        """A finite number in a range.
+
+        Raises:
+            UsageError: It is missing, no number, or out of range.
+        """
         expected = f"a number from {least:g} to {most:g}"
         value = self._taken(key, (int, float), expected)
         if isinstance(value, bool) or not least <= value <= most:
@@ -114,7 +142,11 @@ class Table:
         return float(value)
 
     def numbers(self, key: str, count: int, least: float, most: float) -> tuple[float, ...]:
-        """A list of so many finite numbers in a range."""
+        """A list of so many finite numbers in a range.
+
+        Raises:
+            UsageError: It is missing, another one, or a number is out of range.
+        """
         expected = f"{count} numbers from {least:g} to {most:g}"
         values = self._taken(key, list, expected)
         right = len(values) == count and all(
@@ -126,7 +158,11 @@ class Table:
         return tuple(float(one) for one in values)
 
     def whole(self, key: str, least: int, most: int) -> int:
-        """A whole number in a range."""
+        """A whole number in a range.
+
+        Raises:
+            UsageError: It is missing, no whole number, or out of range.
+        """
         expected = f"a whole number from {least} to {most}"
         value = self._taken(key, int, expected)
         if isinstance(value, bool) or not least <= value <= most:

@@ -13,7 +13,6 @@ from grader.build.compile import (
 from grader.build.compiler import find_compiler
 from grader.build.compiling import Compilation
 from grader.build.workspace import GRADED, workspace
-from grader.model.grade import CompileLimits
 from grader.model.stages import Build, CallGraph, Further, Submission
 from grader.run.session import Allowance, Engine
 from grader.sandbox.selftest import unconfined
@@ -36,7 +35,7 @@ def submission_of(source: str) -> Submission:
 
 def compilation(folder: Path, further: frozenset[Further] = frozenset(Further)) -> Compilation:
     """Compile in a folder with the usual limits; the levels have tests of their own."""
-    return Compilation(folder, unconfined(), CompileLimits(), further)
+    return Compilation(folder, unconfined(), load_rubric().limits.compiler, further)
 
 
 def engine_of(library: Path, preload: str = "") -> Engine:

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from grader.model.stages import SOURCE_PATH
 from tests.own_files import ROOT, cpp_files, python_files, texts
 
 LONGEST = {"grader": 300, "tests": 400}
@@ -137,6 +138,15 @@ def test_no_folder_of_tests_is_passed_over(pytestconfig: pytest.Config) -> None:
     for folder in {path.parent for path in python_files("tests")}:
         for name in folder.relative_to(ROOT).parts:
             assert not [each for each in passed_over if fnmatch(name, each)], folder
+
+
+def test_the_students_file_is_spelled_once() -> None:
+    """Its path, as messages and the exercise have it; whoever needs it imports it."""
+    spelled = [
+        path for path in python_files("grader") if f'"{SOURCE_PATH}"' in path.read_text()
+    ]
+    assert SOURCE_PATH == "src/exercise03.cpp"
+    assert not spelled
 
 
 CATCHERS = 12

@@ -8,6 +8,7 @@ from grader.bench import goals
 from grader.bench.programs import program
 from grader.bench.record import Reading
 from grader.bench.statistics import ratios
+from grader.model.stages import SOURCE_NAME
 
 FIRST = 2
 """Files of the class whose time is taken off: one for each process, so that all have begun."""
@@ -42,7 +43,7 @@ def _graded(folder: Path, count: int) -> tuple[float, float]:
     for number in range(count):
         own = folder / "class" / f"s{number:04}"
         own.mkdir(parents=True)
-        (own / "exercise03.cpp").write_text(_SOURCE.format(number=number))
+        (own / SOURCE_NAME).write_text(_SOURCE.format(number=number))
     words = ["batch", str(folder / "class"), "-o", str(folder / "out"), "--jobs", str(FIRST)]
     outcome = program([sys.executable, "-m", "grader.bench.peers.memory", *words])
     own_kib, _ = json.loads(outcome.out.splitlines()[-1])

@@ -17,10 +17,10 @@ from grader.build.compiler import find_compiler
 from grader.build.compiling import Compilation
 from grader.build.workspace import GRADED, SANITIZED, workspace
 from grader.errors import BuildFault
-from grader.model.grade import CompileLimits
-from grader.model.stages import Submission
+from grader.model.stages import SOURCE_NAME, Submission
 from grader.sandbox.launch import Order, launch
 from grader.sandbox.selftest import unconfined
+from grader.score.rubric import load_rubric
 
 
 def compile_cost(command: Sequence[str], source: Path, folder: Path) -> Cost:
@@ -62,11 +62,11 @@ def measured(folder: Path, rounds: int) -> list[Reading]:
 def _again(folder: Path) -> float:
     """Compile a file twice; CPU seconds of the second time, those of children included."""
     text = TEXTBOOK.read_bytes()
-    same = Submission("textbook", "exercise03.cpp", text, hashlib.sha256(text).hexdigest())
-    begun = 0.0
+    same = Submission("textbook", SOURCE_NAME, text, hashlib.sha256(text).hexdigest())
+    limits, begun = load_rubric().limits.compiler, 0.0
     for number in range(2):
         begun = _cpu_seconds()
-        order = Compilation(folder / str(number), unconfined(), CompileLimits(), frozenset())
+        order = Compilation(folder / str(number), unconfined(), limits, frozenset())
         compile_submission(same, order)
     return _cpu_seconds() - begun
 

@@ -9,6 +9,7 @@ from grader import resources
 from grader.build.compiler import find_compiler
 from grader.build.workspace import GRADED, Workspace, workspace
 from grader.errors import BuildFault
+from grader.model.stages import SOURCE_NAME
 from grader.sandbox.launch import Order, launch
 
 DATA = Path(__file__).with_name("data")
@@ -91,4 +92,4 @@ def _uncounted(folder: Path) -> Path:
     return library
 
 
-_REPLACED = ("intersection.cpp", "exercise03.cpp")
+_REPLACED = ("intersection.cpp", SOURCE_NAME)

@@ -15,11 +15,10 @@ from grader.bench.record import Cost, Floor, Goal, Reading
 from grader.bench.statistics import interleaved, ratios, spread
 from grader.build.compile import compile_submission
 from grader.build.compiler import find_compiler, sanitizer_runtime
-from grader.build.compiling import Compilation
+from grader.build.compiling import TRUSTED, Compilation
 from grader.build.workspace import GRADED, SANITIZED, with_real_depth, workspace
 from grader.errors import BuildFault, WorkerFault
-from grader.model.grade import CompileLimits
-from grader.model.stages import Stop, Submission
+from grader.model.stages import SOURCE_NAME, Stop, Submission
 from grader.model.trials import RebuildTrial, RepeatTrial, Trial
 from grader.oracle.plan import deeper_trials
 from grader.output import RESULT
@@ -116,8 +115,8 @@ def graded_cost(source: Path, out: Path) -> Cost:
 def _engines(folder: Path) -> Engines:
     """Build the model solution in every way that a grade runs it."""
     text = reference_source().read_bytes()
-    own = Submission("reference", "exercise03.cpp", text, hashlib.sha256(text).hexdigest())
-    limits = CompileLimits(seconds=PATIENCE, wall_seconds=PATIENCE)
+    own = Submission("reference", SOURCE_NAME, text, hashlib.sha256(text).hexdigest())
+    limits = replace(TRUSTED, seconds=PATIENCE, wall_seconds=PATIENCE)
     build = compile_submission(own, Compilation(folder, unconfined(), limits))
     runtime = sanitizer_runtime(find_compiler())
     graded, small, deep = (

@@ -16,10 +16,9 @@ from dataclasses import dataclass, field
 from itertools import islice
 
 from grader.build.captures import Frame
-from grader.build.diagnostics import SOURCE_NAME
 from grader.build.lent import Lent
 from grader.build.pointers import ANYTHING, POINTER_CALL, Pointers, at_place
-from grader.model.stages import Call, CallGraph
+from grader.model.stages import SOURCE_PATH, Call, CallGraph
 
 MAX_CALLS = 200_000
 """A textbook solution has about 1,000; more than this is cut."""
@@ -183,7 +182,7 @@ def _placed(rows: list[bytes], read: _Read) -> Iterator[tuple[bytes, bytes]]:
 
 
 def _is_own(name: bytes) -> bool:
-    return name.decode(errors="replace").endswith(SOURCE_NAME)
+    return name.decode(errors="replace").endswith(SOURCE_PATH)
 
 
 def _note(read: _Read, owner: bytes, row: bytes) -> None:

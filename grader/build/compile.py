@@ -9,13 +9,12 @@ from tempfile import mkdtemp
 
 from grader.build.callgraph import Tangled, read_assembly
 from grader.build.compiler import find_compiler
-from grader.build.compiling import Compilation, compiled, compiled_once
-from grader.build.diagnostics import SOURCE_NAME, read_diagnostics
+from grader.build.compiling import TRUSTED, Compilation, compiled, compiled_once
+from grader.build.diagnostics import read_diagnostics
 from grader.build.stopped import why_stopped
 from grader.build.workspace import GRADED, SANITIZED, Workspace, with_real_depth, workspace
 from grader.errors import BuildFault
-from grader.model.grade import CompileLimits
-from grader.model.stages import Build, CallGraph, Diagnostic, Further, Submission
+from grader.model.stages import SOURCE_PATH, Build, CallGraph, Diagnostic, Further, Submission
 from grader.resources import reference_source
 from grader.sandbox.selftest import unconfined
 
@@ -122,7 +121,7 @@ def _blame(command: tuple[str, ...], framework: Workspace, work: Compilation) ->
     Raises:
         BuildFault: Our own solution does not compile now either: a full disk, no process left.
     """
-    own = Submission("reference", SOURCE_NAME, reference_source().read_bytes(), "")
+    own = Submission("reference", SOURCE_PATH, reference_source().read_bytes(), "")
     aside = prepared(own, replace(work, folder=Path(mkdtemp(dir=work.folder))))
     outcome, content = compiled(command, framework, aside, f"{GRADED.name}.so")
     if content is None:
@@ -143,7 +142,7 @@ def _unsanitized(linked: _Linked) -> tuple[str, ...]:
 
 def prepared(submission: Submission, work: Compilation) -> Compilation:
     """Lay out the folder of a submission: its source, which all may read, and room for ours."""
-    source = work.folder / SOURCE_NAME
+    source = work.folder / SOURCE_PATH
     for folder in (work.folder, source.parent, work.folder / "libraries"):
         folder.mkdir(parents=True, exist_ok=True)
         folder.chmod(0o711)
@@ -175,7 +174,7 @@ def compile_trusted(submission: Submission, folder: Path) -> Path | None:
 
 
 def _trusted(submission: Submission, folder: Path) -> _Linked:
-    work = prepared(submission, Compilation(folder, unconfined(), CompileLimits()))
+    work = prepared(submission, Compilation(folder, unconfined(), TRUSTED))
     return _link(workspace(find_compiler(), GRADED), work, GRADED.name)
 
 

@@ -6,9 +6,8 @@ The text is hostile: a student chooses names, file names by `#line`, and message
 
 import re
 
-from grader.model.stages import Diagnostic
+from grader.model.stages import SOURCE_PATH, Diagnostic
 
-SOURCE_NAME = "src/exercise03.cpp"
 MAX_DIAGNOSTICS = 40
 MAX_TEXT = 2000
 
@@ -17,7 +16,7 @@ _MESSAGE = re.compile(
     r"(?P<severity>fatal error|error|warning|note): (?P<text>.*)$"
 )
 _REQUIRED = re.compile(
-    rf"^{re.escape(SOURCE_NAME)}:(\d{{1,7}}):(\d{{1,6}}):   required from here$"
+    rf"^{re.escape(SOURCE_PATH)}:(\d{{1,7}}):(\d{{1,6}}):   required from here$"
 )
 _NO_PLACE = re.compile(r"^(?:cc1plus|clang[-+.\w]{0,20}): (?:fatal )?error: (?P<text>.*)$")
 """What the compiler itself cannot do, such as reading a file that is out of reach."""
@@ -53,7 +52,7 @@ def _read_line(line: str, required: tuple[int, int]) -> Diagnostic | None:
     """Read one line; `required` is the own place that a message elsewhere is due to."""
     match = _MESSAGE.match(line)
     if match:
-        own = match["file"] == SOURCE_NAME
+        own = match["file"] == SOURCE_PATH
         where = "" if own else f"{match['file'].rsplit('/', 1)[-1]}:{match['line']}: "
         place = (int(match["line"]), int(match["column"] or 0)) if own else required
         return Diagnostic(

@@ -10,7 +10,7 @@ from grader import resources
 from grader.build.compile import compile_reference
 from grader.build.compiler import find_compiler
 from grader.build.workspace import GRADED, workspace
-from grader.model.stages import Submission
+from grader.model.stages import SOURCE_NAME, Submission
 
 
 def reference_library() -> Path:
@@ -30,7 +30,7 @@ def reference_library() -> Path:
     if not library.exists():
         folder.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(dir=folder) as scratch:
-            submission = Submission("reference", "exercise03.cpp", source, digest)
+            submission = Submission("reference", SOURCE_NAME, source, digest)
             made = compile_reference(submission, Path(scratch) / "build")
             # Renaming is atomic: another process finds the whole library or none.
             shutil.copyfile(made, Path(scratch) / library.name)

@@ -25,6 +25,7 @@ from pathlib import Path
 from grader import resources
 from grader.build.compiler import Compiler
 from grader.errors import BuildFault, MissingTool
+from grader.model.stages import SOURCE_PATH
 from grader.sandbox.launch import Order, launch
 from grader.tolerances import SMALL_MAX_DEPTH
 
@@ -32,7 +33,6 @@ LAYOUT = 8
 """Changes when this file builds something else from the same stub."""
 
 FRAMEWORK_SECONDS = 300.0
-PLACEHOLDER = "src/exercise03.cpp"
 STANDARD_HEADERS = "standard.h"
 GRAPH_HEADERS = "standard-graph.h"
 INTRINSICS = "intrinsics"
@@ -95,12 +95,12 @@ class Workspace:
 
         It comes first, so that its functions win over the weak stand-ins.
         """
-        return (*self.compile_command, PLACEHOLDER, *self.link_words)
+        return (*self.compile_command, SOURCE_PATH, *self.link_words)
 
     @property
     def listing(self) -> tuple[str, ...]:
         """What makes the assembly text of a submission."""
-        return (*self.graph_command, "-S", PLACEHOLDER)
+        return (*self.graph_command, "-S", SOURCE_PATH)
 
 
 def workspace(compiler: Compiler, flavour: Flavour) -> Workspace:
@@ -224,7 +224,7 @@ def _step(command: Sequence[str], compiler: Compiler) -> None:
 def _read_commands(folder: Path) -> Workspace:
     build = folder / "build"
     commands = json.loads((build / "compile_commands.json").read_text())
-    source = str(folder / "stub" / PLACEHOLDER)
+    source = str(folder / "stub" / SOURCE_PATH)
     mine = next(entry for entry in commands if entry["file"] == source)
     words = shlex.split(mine["command"])
     object_name = words[words.index("-o") + 1]

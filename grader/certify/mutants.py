@@ -10,6 +10,7 @@ from pathlib import Path
 from grader import resources
 from grader.certify.corpus import corpus_folder, name_of
 from grader.certify.edits import edits
+from grader.model.stages import SOURCE_PATH
 
 ORIGINALS = (
     "recursive-merge-sort-of-records",
@@ -22,7 +23,7 @@ ORIGINALS = (
 )
 """Right submissions that mutants are made of, beside the reference; all are different."""
 
-REFERENCE = "reference/src/exercise03.cpp"
+REFERENCE = f"reference/{SOURCE_PATH}"
 
 
 @dataclass(frozen=True, slots=True)

@@ -23,7 +23,7 @@ from grader.certify.mutants import Mutant, originals
 from grader.certify.row import LONGEST
 from grader.errors import GraderError
 from grader.model.cases import Case, MemoryCase, SurvivalCase, WorkCase
-from grader.model.stages import Stop, Submission
+from grader.model.stages import SOURCE_NAME, Stop, Submission
 from grader.model.trials import RebuildTrial, Trial
 from grader.model.verdict import Verdict
 from grader.options import Options
@@ -109,7 +109,7 @@ def _fate(mutant: Mutant, seed: int, folder: Path) -> tuple[Fate, str]:
 
 
 def _submission(source: bytes) -> Submission:
-    return Submission("mutant", "exercise03.cpp", source, hashlib.sha256(source).hexdigest())
+    return Submission("mutant", SOURCE_NAME, source, hashlib.sha256(source).hexdigest())
 
 
 @cache
@@ -180,7 +180,7 @@ def _reference_work(seed: int) -> dict[str, WorkCase]:
 
 def _other_loss(mutant: Mutant, seed: int, folder: Path) -> str:
     """Grade what no trial of the graded library tells; what is lost first, or nothing."""
-    path = folder / "exercise03.cpp"
+    path = folder / SOURCE_NAME
     path.write_bytes(mutant.source)
     for _ in range(ATTEMPTS):
         grade = grade_one(path, Options(seed, None, REST, lambda *_: None))

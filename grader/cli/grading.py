@@ -27,6 +27,7 @@ from grader.cli.status import FULL_MARKS, INTERRUPTED, LOST_POINTS, OUR_FAULT, s
 from grader.errors import Interrupted, UsageError
 from grader.language import translator
 from grader.model.grade import Grade
+from grader.model.stages import SOURCE_PATH
 from grader.model.verdict import Verdict
 from grader.output import OUTPUT, ready
 from grader.report.escape import line_for_terminal
@@ -34,7 +35,7 @@ from grader.report.escape import line_for_terminal
 if TYPE_CHECKING:
     from grader.report.failure import Occasion
 
-USUAL_PLACES = ("src/exercise03.cpp", "student_stub/src/exercise03.cpp")
+USUAL_PLACES = (SOURCE_PATH, f"student_stub/{SOURCE_PATH}")
 
 
 @click.command()

@@ -25,7 +25,7 @@ time_option = click.option(
     "--time-limit",
     type=click.FloatRange(30, 86_400),
     metavar="SECONDS",
-    help="The grade is there by then (default: the rubric's, 120).",
+    help="The grade is there by then (default: the rubric's total_seconds).",
 )
 hints_option = click.option(
     "--hints",

@@ -112,7 +112,7 @@ def right_box(mesh: Mesh, tree: Bvh, node: int) -> tuple[float, ...]:
 
 
 def faces_of(mesh: Mesh, tree: Bvh, node: int) -> Integers:
-    """Return the faces in a node's range; none of a node that does not exist."""
+    """Return the (K,) int64 faces in a node's range; none of a node that does not exist."""
     if not 0 <= node < len(tree.end):
         return np.zeros(0, np.int64)
     held = tree.order[tree.begin[node] : tree.end[node]]

@@ -133,7 +133,12 @@ def passes(given: Shots, bvh: Bvh) -> Mask:
 
 
 def reached(bvh: Bvh, lets_pass: Mask) -> Mask:
-    """(S, N) bool, True where a ray passes the tests of a node and of all nodes above it."""
+    """(S, N) bool, True where a ray passes the tests of a node and of all nodes above it.
+
+    Args:
+        bvh: The tree.
+        lets_pass: (S, N) bool, True where a ray passes the test of a node.
+    """
     through = lets_pass.copy()
     for node in range(1, through.shape[1]):
         through[:, node] &= through[:, (node - 1) // 2]
@@ -141,5 +146,11 @@ def reached(bvh: Bvh, lets_pass: Mask) -> Mask:
 
 
 def through_leaves(bvh: Bvh, through: Mask, met: Met) -> Met:
-    """Leave out hits on faces whose leaf a ray does not come to."""
+    """Leave out hits on faces whose leaf a ray does not come to.
+
+    Args:
+        bvh: The tree.
+        through: (S, N) bool, as of `reached`.
+        met: All hits.
+    """
     return met.only(through[met.ray, leaves(bvh).leaf[met.face]])

@@ -18,7 +18,13 @@ def corners(mesh: Mesh) -> Doubles:
 
 
 def extremes(rows: Doubles, begin: Integers, end: Integers) -> tuple[Doubles, Doubles]:
-    """(K, ...) smallest and largest of `rows[begin[k]:end[k]]`; infinite where it is empty."""
+    """(K, ...) smallest and largest of `rows[begin[k]:end[k]]`; infinite where it is empty.
+
+    Args:
+        rows: (M, ...) float64.
+        begin: (K,) int64, as is `end`.
+        end: At most M.
+    """
     shape = (len(begin), *rows.shape[1:])
     low, high = np.full(shape, np.inf), np.full(shape, -np.inf)
     some = np.flatnonzero(begin < end)

@@ -32,8 +32,12 @@ class Shots(FrozenArrays):
 
     origin: Doubles
     direction: Doubles
+    """(S, 3) float64 each."""
+
     t_min: Doubles
     t_max: Doubles
+    """(S,) float64 each."""
+
     t: Doubles
     """(S, F) float64, where a ray meets the plane of a face; infinite where it is parallel."""
 
@@ -66,10 +70,13 @@ class Met(FrozenArrays):
     """(H,) int64, which shot."""
 
     face: Integers
+    """(H,) int64, what it hits."""
+
     t: Doubles
+    """(H,) float64, where."""
 
     def only(self, kept: Mask) -> "Met":
-        """Leave out hits."""
+        """Leave out hits, where `kept`, (H,) bool, is False."""
         return Met(self.shots, self.ray[kept], self.face[kept], self.t[kept])
 
     def closest(self) -> Doubles:
@@ -179,7 +186,7 @@ def clear(given: Shots) -> Mask:
 
 
 def same(got: Doubles, foretold: Doubles) -> Mask:
-    """(S,) bool, True where two distances mean the same hit, or both a miss."""
+    """(S,) bool, True where two distances, (S,) float64, mean the same hit, or both a miss."""
     with np.errstate(invalid="ignore"):
         close = np.isfinite(foretold) & (np.abs(got - foretold) <= SAME * np.abs(foretold))
     return np.asarray(close | (got == foretold))

@@ -107,6 +107,10 @@ def _settled(yours: Bytes, reference: Bytes, wrong: Bytes) -> Bytes:
 def flip(reference: Bytes, test: Bytes) -> tuple[Floats, float]:
     """Return the FLIP error of each pixel, (H, W) float32 from 0 to 1, and its mean.
 
+    Args:
+        reference: (H, W, 3) uint8, sRGB, as is `test`.
+        test: Is compared with it.
+
     Source: P. Andersson et al., FLIP: A Difference Evaluator for Alternating Images,
     Proceedings of the ACM on Computer Graphics and Interactive Techniques 3(2), 2020.
     """

@@ -142,7 +142,11 @@ def called(header: Sequence[str], pattern: str) -> list[int]:
 def id_columns(
     header: Sequence[str], words: Words, asked: str, grade: int
 ) -> tuple[tuple[str, tuple[int, ...]], ...]:
-    """Find the columns that say who a row is."""
+    """Find the columns that say who a row is.
+
+    Raises:
+        UsageError: There are none, or the one that was asked for is not there.
+    """
     if asked:
         column = named(header, asked)
         return tuple((field, (column,)) for field in fields_in(column, header, words))
@@ -167,7 +171,11 @@ def fields_in(column: int, header: Sequence[str], words: Words) -> list[str]:
 
 
 def grade_column(header: Sequence[str], words: Words, asked: str) -> int:
-    """Find the one column that the points go into."""
+    """Find the one column that the points go into.
+
+    Raises:
+        UsageError: None or several may be it, or the one that was asked for is not there.
+    """
     if asked:
         return named(header, asked)
     own = called(header, words.never)

@@ -4,7 +4,7 @@ import re
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 
-from grader.intake.screen import SOURCE_NAME
+from grader.model.stages import SOURCE_NAME
 from grader.plain import as_name
 
 MOST_ENTRIES = 20_000

@@ -9,7 +9,7 @@ import zlib
 from typing import TYPE_CHECKING, BinaryIO
 
 from grader.intake.candidates import Damage, Fault
-from grader.intake.screen import SOURCE_NAME
+from grader.model.stages import SOURCE_NAME
 
 if TYPE_CHECKING:
     from _typeshed import WriteableBuffer

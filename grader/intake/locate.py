@@ -14,10 +14,10 @@ from grader.errors import UsageError
 from grader.intake.candidates import Candidate, Damage, Fault, choose
 from grader.intake.folder import folder_entries, opened
 from grader.intake.gunzip import GZIP_MARK, Gunzip
-from grader.intake.screen import SOURCE_NAME, screen
+from grader.intake.screen import screen
 from grader.intake.tar import TAR_MARK, TAR_MARK_PLACE, tar_entries
 from grader.intake.zip import ZIP_MARKS, zip_entries
-from grader.model.stages import Rejected, Submission
+from grader.model.stages import SOURCE_NAME, Rejected, Submission
 from grader.plain import as_name
 
 LARGEST_ARCHIVE = 128 * 2**20

@@ -4,9 +4,6 @@ import hashlib
 
 from grader.model.stages import Rejected, Submission
 
-SOURCE_NAME = "exercise03.cpp"
-"""The one file of the exercise that a student edits."""
-
 _SAMPLE = 4096
 _WIDE_MARKS = (b"\xff\xfe", b"\xfe\xff", b"\x00\x00\xfe\xff")
 _UTF8_MARK = b"\xef\xbb\xbf"

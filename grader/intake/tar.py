@@ -13,7 +13,7 @@ from functools import partial
 from typing import BinaryIO
 
 from grader.intake.candidates import DAMAGED, NOT_A_FILE, Damage, Entry, Fault
-from grader.intake.screen import SOURCE_NAME
+from grader.model.stages import SOURCE_NAME
 
 BLOCK = 512
 TAR_MARK = b"ustar"

@@ -34,18 +34,18 @@ class Criterion:
 class CompileLimits:
     """How much compiling one submission once may use."""
 
-    seconds: int = 30
+    seconds: int
     """CPU seconds of each process."""
 
-    wall_seconds: int = 60
-    memory_mib: int = 3072
+    wall_seconds: int
+    memory_mib: int
     """Address space of each process."""
 
-    file_mib: int = 256
+    file_mib: int
     """Largest file that may be written."""
 
-    tasks: int = 32
-    output_kib: int = 64
+    tasks: int
+    output_kib: int
     """How much of the messages is kept."""
 
 
@@ -79,7 +79,7 @@ class Limits:
     source_kib: int
     """Largest source file that is accepted."""
 
-    compiler: CompileLimits = CompileLimits()
+    compiler: CompileLimits
 
 
 @dataclass(frozen=True, slots=True)
@@ -183,7 +183,8 @@ class Timing:
     """Sum of the workers' wall time."""
 
     grader: float
-    """The plan of the trials and all checks; overlaps with the other two."""
+    """Intake, the proof of isolation, the plan of the trials and all checks; the latter two
+    overlap with the other times."""
 
     total: float
     stages: tuple[tuple[str, float], ...]

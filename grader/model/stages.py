@@ -7,6 +7,12 @@ from pathlib import Path
 PARTS = ("a", "b")
 """Part a is `BVH::construct`, part b is `intersect(mesh, ray)`."""
 
+SOURCE_NAME = "exercise03.cpp"
+"""The one file of the exercise that a student edits."""
+
+SOURCE_PATH = f"src/{SOURCE_NAME}"
+"""Where it lies in the exercise, and its name in every message, wherever it really lies."""
+
 
 @dataclass(frozen=True, slots=True)
 class Submission:

@@ -95,6 +95,7 @@ class Beams(FrozenArrays):
 
     t_min: Doubles
     t_max: Doubles
+    """(K,) float64 each."""
 
 
 def answers(mesh: Mesh, rays: Rays, tree: Bvh, cut: Doubles | None = None) -> Answers:
@@ -156,7 +157,7 @@ def nearest(found: Candidates, rays: int) -> Answers:
 
 
 def chosen(rays: Rays, which: Integers | Mask) -> Rays:
-    """Return some of the rays."""
+    """Return some of the rays: (K,) int64, or (R,) bool where it is True."""
     return Rays(rays.origin[which], rays.direction[which], rays.t_min[which], rays.t_max[which])
 
 

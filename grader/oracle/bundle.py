@@ -47,7 +47,14 @@ def beams(
     t_min: Floatish = EPSILON,
     t_max: Floatish = np.inf,
 ) -> Rays:
-    """Make rays of float32; directions of length 0 become (1, 0, 0)."""
+    """Make rays of float32; directions of length 0 become (1, 0, 0).
+
+    Args:
+        origin: (R, 3) float64.
+        direction: (R, 3) float64; those of length 0 are overwritten.
+        t_min: A number for all rays, or (R,) float64, as is `t_max`.
+        t_max: Where rays end.
+    """
     count = len(origin)
     still = ~direction.any(axis=1)
     direction[still] = (1.0, 0.0, 0.0)
@@ -60,29 +67,29 @@ def beams(
 
 
 def unit(vectors: Doubles) -> Doubles:
-    """Scale vectors to length 1; leaves zeros alone."""
+    """Scale (K, 3) float64 vectors to length 1; leaves zeros alone."""
     length = np.linalg.norm(vectors, axis=1, keepdims=True)
     scaled: Doubles = vectors / np.where(length > 0, length, 1.0)
     return scaled
 
 
 def directions(stage: Stage, count: int) -> Doubles:
-    """Draw unit vectors, all directions alike."""
+    """Draw unit vectors, (count, 3) float64, all directions alike."""
     return unit(stage.rng.standard_normal((count, 3)))
 
 
 def around(stage: Stage, count: int, distance: float = 1.6) -> Doubles:
-    """Draw points on a sphere around the mesh, `distance` radii from its middle."""
+    """Draw points, (count, 3) float64, on a sphere `distance` radii from the mesh's middle."""
     return stage.middle + distance * stage.radius * directions(stage, count)
 
 
 def within(stage: Stage, count: int) -> Doubles:
-    """Draw points in the mesh's box."""
+    """Draw points, (count, 3) float64, in the mesh's box."""
     return stage.middle + stage.half * stage.rng.uniform(-1, 1, (count, 3))
 
 
 def drawn_faces(stage: Stage, count: int) -> Integers:
-    """Draw faces that have an area; all faces if none has."""
+    """Draw (count,) int64 faces that have an area; of all faces if none has."""
     corners = stage.mesh.vertices[stage.mesh.faces].astype(np.float64)
     size = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     sound = np.flatnonzero(size.any(axis=1))
@@ -92,18 +99,18 @@ def drawn_faces(stage: Stage, count: int) -> Integers:
 
 
 def corners_at(stage: Stage, face: Integers) -> Doubles:
-    """Return (K, 3, 3) float64 corners of faces."""
+    """Return (K, 3, 3) float64 corners of (K,) int64 faces."""
     return stage.mesh.vertices[stage.mesh.faces[face]].astype(np.float64)
 
 
 def on_surface(stage: Stage, face: Integers) -> Doubles:
-    """Draw a point on each face."""
+    """Draw a point on each of (K,) int64 faces: (K, 3) float64."""
     weights = stage.rng.dirichlet((1.0, 1.0, 1.0), face.size)
     points: Doubles = np.einsum("kc,kcx->kx", weights, corners_at(stage, face))
     return points
 
 
 def normals_of(stage: Stage, face: Integers) -> Doubles:
-    """Return unit normals of faces."""
+    """Return (K, 3) float64 unit normals of (K,) int64 faces; zeros without an area."""
     corners = corners_at(stage, face)
     return unit(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]))

@@ -49,7 +49,13 @@ def witnessed(rays: Rays, answers: Answers, t: Floats) -> Mask:
 
 
 def contradicted(rays: Rays, answers: Answers, t: Floats) -> Mask:
-    """Return (R,) bool, True where Embree, as a fit witness, contradicts the rule."""
+    """Return (R,) bool, True where Embree, as a fit witness, contradicts the rule.
+
+    Args:
+        rays: The rays.
+        answers: What the rule says of them.
+        t: (R,) float32, as `embree_t` returns it.
+    """
     owner = np.repeat(np.arange(t.size), np.diff(answers.first))
     theirs: Doubles = t.astype(np.float64)
     agrees = ~np.isfinite(answers.limit) & (theirs == np.inf)

@@ -79,7 +79,16 @@ def _block(leaf: Mask, ray: Integers, touches: Touches) -> Visits:
 
 
 def spread(ray: Integers, begin: Integers, end: Integers) -> tuple[Integers, Integers]:
-    """Turn ranges into one entry for each place in them."""
+    """Turn ranges into one entry for each place in them.
+
+    Args:
+        ray: (K,) int64.
+        begin: (K,) int64, where the range of each ray begins.
+        end: (K,) int64, where it ends, excluded.
+
+    Returns:
+        Ray and place of each entry, (M,) int64 each, M the sum of the ranges' lengths.
+    """
     size = end - begin
     offset = np.arange(size.sum()) - np.repeat(np.cumsum(size) - size, size)
     return np.repeat(ray, size), np.repeat(begin, size) + offset

@@ -10,6 +10,7 @@ import re
 import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +23,7 @@ from grader.oracle.album import Progress, SceneStatus, render_scene, status_of
 from grader.oracle.described import FILE, NAME, described
 from grader.oracle.fitted import fitted_camera, fitted_light
 from grader.oracle.generated import MOST_FACES
+from grader.oracle.obj import read_obj
 from grader.oracle.render import mitsuba_version
 from grader.oracle.scenes import mesh_path
 from grader.oracle.storage import mesh_sha256, save_mesh
@@ -33,6 +35,9 @@ UPWARD = {"stl": "z"}
 LARGEST_FILE = 1 << 30
 SIZE = 256
 ALBEDO = (0.75, 0.75, 0.72)
+
+Part = tuple[Doubles, Integers]
+"""(V, 3) float64 vertices in the model's space, and (F, 3) int64 faces, each in [0, V)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,7 +106,7 @@ def read_model(path: Path) -> tuple[Mesh, str]:
     Raises:
         UsageError: It cannot be read, is empty or too large, or its vertices are no numbers.
     """
-    vertices, faces = _loaded(path)
+    vertices, faces = _joined(_loaded(path))
     if not len(faces):
         raise UsageError(f"{path}: holds no faces, but a scene needs triangles")
     if len(faces) > MOST_FACES:
@@ -109,39 +114,80 @@ def read_model(path: Path) -> tuple[Mesh, str]:
             f"{path}: holds {len(faces):,} faces, but at most {MOST_FACES:,} can be graded; "
             "simplify the model"
         )
-    if faces.min() < 0 or faces.max() >= len(vertices):
-        raise UsageError(f"{path}: has faces whose vertices do not exist; export it again")
     used, inverse = np.unique(faces, return_inverse=True)
     vertices, faces = vertices[used], inverse.reshape(-1, 3)
     wrong = np.count_nonzero(~np.isfinite(vertices).all(axis=1))
     if wrong:
-        raise UsageError(f"{path}: {wrong:,} vertices are no numbers (NaN or infinite)")
+        some = "1 vertex is no number" if wrong == 1 else f"{wrong:,} vertices are no numbers"
+        raise UsageError(f"{path}: {some} (NaN or infinite); export it again")
     return _cleaned(path, _in_cube(path, vertices), faces)
 
 
-def _loaded(path: Path) -> tuple[Doubles, Integers]:
-    """Let trimesh read a file, flatten its scene graph and cut polygons into triangles."""
-    import trimesh
-
+def _loaded(path: Path) -> list[Part]:
+    """Read the parts of a model, each with triangles of its own vertices."""
     if _format(path) not in FORMATS:
         raise UsageError(f"{path}: not a model; expected is one of {', '.join(FORMATS)}")
     try:
         if path.stat().st_size > LARGEST_FILE:
             raise UsageError(f"{path}: more than 1 GiB; simplify the model")
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            loaded: Any = trimesh.load_scene(path, process=False)
-            parts = [part for part in loaded.dump() if isinstance(part, trimesh.Trimesh)]
+        return [read_obj(path)] if _format(path) == "obj" else _parts(path)
     except GraderError:
         raise
     except Exception as fault:  # trimesh raises whatever its readers stumble over
         reason = f"{type(fault).__name__}: {fault}"
         raise UsageError(f"{path}: cannot be read as {_format(path)} ({reason})") from fault
-    counts = np.cumsum([0, *(len(part.vertices) for part in parts)])
-    none = np.zeros((0, 3))
-    vertices = np.concatenate([none, *(np.asarray(part.vertices) for part in parts)])
-    faces = [np.asarray(part.faces) + start for part, start in zip(parts, counts, strict=False)]
-    return vertices, np.concatenate([none.astype(np.int64), *faces])
+
+
+def _parts(path: Path) -> list[Part]:
+    """Let trimesh read a file, flatten its scene graph and cut polygons into triangles."""
+    import trimesh
+
+    beside = trimesh.resolvers.FilePathResolver(path)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        loaded: Any = trimesh.load_scene(
+            BytesIO(_in_utf8(path.read_bytes())), _format(path), beside, process=False
+        )
+        parts = [part for part in loaded.dump() if isinstance(part, trimesh.Trimesh)]
+    return [_checked(path, part.vertices, part.faces) for part in parts]
+
+
+def _in_utf8(content: bytes) -> bytes:
+    """Replace bytes of a text that are not UTF-8: they stand in comments and names.
+
+    trimesh would guess their encoding, with a package that is not installed. A PLY is a text up
+    to `end_header`; what holds a zero byte, as binary STL and GLB do, is none.
+    """
+    text, mark, rest = content.partition(b"end_header")
+    if b"\0" not in text:
+        text = text.decode(errors="replace").encode()
+    return text + mark + rest
+
+
+def _checked(path: Path, vertices: object, faces: object) -> Part:
+    """Return the arrays of a part, if each vertex has three coordinates that faces can use."""
+    points, corners = np.asarray(vertices, np.float64), np.asarray(faces, np.int64)
+    for what, array in (("vertices", points), ("faces", corners)):
+        if array.ndim != 2 or array.shape[1] != 3:
+            found = " x ".join(map(str, array.shape))
+            raise UsageError(
+                f"{path}: {what} hold {found} numbers, but three each are expected"
+            )
+    wrong = corners[(corners < 0) | (corners >= len(points))]
+    if len(wrong):
+        raise UsageError(
+            f"{path}: a face uses vertex {wrong[0]}, but {len(points):,} are given, "
+            "counted from 0; export it again"
+        )
+    return points, corners
+
+
+def _joined(parts: Sequence[Part]) -> Part:
+    """Put the parts of a model into one."""
+    starts = np.cumsum([0, *(len(vertices) for vertices, _ in parts)])
+    vertices = [np.zeros((0, 3)), *(vertices for vertices, _ in parts)]
+    faces = [part + start for (_, part), start in zip(parts, starts, strict=False)]
+    return np.concatenate(vertices), np.concatenate([np.zeros((0, 3), np.int64), *faces])
 
 
 def _in_cube(path: Path, vertices: Doubles) -> Doubles:
@@ -163,9 +209,15 @@ def _cleaned(path: Path, vertices: Doubles, faces: Integers) -> tuple[Mesh, str]
     if not kept.any():
         raise UsageError(f"{path}: no face has an area, so there is nothing to see")
     used, inverse = np.unique(faces[kept], return_inverse=True)
-    dropped = np.count_nonzero(~kept)
-    remark = f"{dropped:,} faces without any area were left out" if dropped else ""
+    remark = _left_out(int(np.count_nonzero(~kept)))
     return Mesh(points[used], inverse.reshape(-1, 3).astype(np.uint32)), remark
+
+
+def _left_out(faces: int) -> str:
+    """Say how many faces were left out; nothing if none was."""
+    if faces == 1:
+        return "1 face without any area was left out"
+    return f"{faces:,} faces without any area were left out" if faces else ""
 
 
 def _free_name(wish: Wish) -> str:

@@ -17,13 +17,25 @@ GOLDEN = np.uint64(0x9E3779B97F4A7C15)
 
 
 def drawn(seed: int, stream: int, *shape: int) -> Doubles:
-    """Return numbers from 0 to 1, 1 excluded; each stream of a seed has its own."""
+    """Return numbers from 0 to 1, 1 excluded; each stream of a seed has its own.
+
+    Args:
+        seed: Of the run.
+        stream: Tells what the numbers are for.
+        shape: (K, ...) of what is returned, float64.
+    """
     place = np.arange(np.prod(shape, dtype=np.int64), dtype=np.uint64).reshape(shape)
     return _unit(_mixed(place + _mixed(_word(stream) + _mixed(_word(seed)))))
 
 
 def hills(seed: int, stream: int, x: Doubles, y: Doubles) -> Doubles:
     """Return gradient noise at places of the plane: about -0.7 to 0.7, 0 where both are whole.
+
+    Args:
+        seed: Of the run.
+        stream: Tells what the noise is for.
+        x: (K, ...) float64, as are `y` and what is returned.
+        y: The other coordinate.
 
     Source: K. Perlin, Improving Noise, SIGGRAPH 2002, with gradients from a hash.
     """

@@ -23,13 +23,13 @@ Corners = tuple[Doubles, Doubles, Doubles]
 
 
 def dot(a: Doubles, b: Doubles) -> Doubles:
-    """Return (K,) dot products of (3, K) vectors."""
+    """Return (K,) dot products of (3, K) vectors, all float64."""
     product: Doubles = a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
     return product
 
 
 def cross(a: Doubles, b: Doubles) -> Doubles:
-    """Return (3, K) cross products of (3, K) vectors."""
+    """Return (3, K) cross products of (3, K) vectors, all float64."""
     return np.stack(
         [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
     )

@@ -14,6 +14,11 @@ from grader.tolerances import PICTURE_PIXELS, PICTURE_RELATIVE, PICTURE_SHARE
 def require_agreement(name: str, answers: Answers, mitsuba_t: Floats) -> None:
     """Let a picture pass only if Mitsuba agrees with the rule on clear pixels.
 
+    Args:
+        name: Of the scene.
+        answers: What the rule says of the picture's rays.
+        mitsuba_t: (R,) float32, infinite for a miss.
+
     Raises:
         OracleFault: They disagree on more than a handful.
     """

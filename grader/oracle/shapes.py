@@ -25,7 +25,7 @@ def confetti(rng: np.random.Generator, faces: int) -> Soup:
 
 
 def flatness(soup: Soup) -> Doubles:
-    """Return L^2 / |n| of each triangle, L the longest edge, n = e1 x e2."""
+    """Return (F,) float64, L^2 / |n| of each triangle, L the longest edge, n = e1 x e2."""
     e1, e2 = soup[:, 1] - soup[:, 0], soup[:, 2] - soup[:, 0]
     longest = np.max([(edge * edge).sum(axis=1) for edge in (e1, e2, e2 - e1)], axis=0)
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -43,7 +43,11 @@ def terrain(rng: np.random.Generator, columns: int, rows: int) -> Soup:
 
 
 def sheet(points: Doubles) -> Soup:
-    """Split the cells of a (rows + 1, columns + 1, 3) net of points into two triangles each."""
+    """Split the cells of a net of points into two triangles each.
+
+    Args:
+        points: (rows + 1, columns + 1, 3) float64.
+    """
     a, b = points[:-1, :-1], points[:-1, 1:]
     c, d = points[1:, 1:], points[1:, :-1]
     halves = np.stack([np.stack([a, b, c], axis=-2), np.stack([a, c, d], axis=-2)])

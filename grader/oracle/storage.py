@@ -48,14 +48,14 @@ def mesh_sha256(mesh: Mesh) -> str:
 
 
 def packed(words: Indices) -> Bytes:
-    """Turn 32-bit words into (4, n) bytes of their zigzag coded differences."""
+    """Turn (n,) uint32 words into (4, n) uint8, their zigzag coded differences."""
     step = np.diff(words, prepend=np.uint32(0)).view(np.int32)
     coded = ((step << 1) ^ (step >> 31)).astype("<u4")
     return np.ascontiguousarray(coded.view(np.uint8).reshape(-1, 4).T)
 
 
 def unpacked(planes: Bytes) -> Indices:
-    """Undo `packed`."""
+    """Undo `packed`: (4, n) uint8 become (n,) uint32."""
     coded = np.ascontiguousarray(planes.T).view("<u4").ravel().astype(np.uint32)
     step = (coded >> np.uint32(1)) ^ (np.uint32(0) - (coded & np.uint32(1)))
     return np.cumsum(step, dtype=np.uint32)

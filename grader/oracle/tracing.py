@@ -69,7 +69,7 @@ def deepest_tree(pictures: Sequence[ImageTrial]) -> list[TraceTrial]:
 
 
 def answers_of(given: Answers, kept: Integers) -> Answers:
-    """Return the answers of some of the rays."""
+    """Return the answers of (K,) int64 rays."""
     counts = np.diff(given.first)[kept]
     place = np.repeat(given.first[kept] - np.cumsum(counts) + counts, counts)
     place = place + np.arange(place.size)

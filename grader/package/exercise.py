@@ -9,13 +9,11 @@ from pathlib import Path
 
 from grader import resources
 from grader.errors import UsageError
+from grader.model.stages import SOURCE_PATH
 from grader.package.archive import Member
 
 PINS = Path(__file__).with_name("exercise.sha256")
 """Written by `python -m tests.package.pins`, read by `sha256sum --check` as well."""
-
-STARTER = "src/exercise03.cpp"
-"""What students begin with."""
 
 
 def exercise() -> tuple[Member, ...]:
@@ -33,7 +31,7 @@ def starter() -> bytes:
     Raises:
         UsageError: It is missing, or another one than was written down.
     """
-    return _read(STARTER, pins()[STARTER])
+    return _read(SOURCE_PATH, pins()[SOURCE_PATH])
 
 
 def pins() -> dict[str, str]:

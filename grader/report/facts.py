@@ -6,14 +6,14 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from grader.model.grade import CheckScore, Grade, PartScore
-from grader.model.stages import Rejected
+from grader.model.stages import SOURCE_PATH, Rejected
 from grader.model.verdict import Verdict
 from grader.plain import as_name
 
 if TYPE_CHECKING:
     from grader.model.counterexample import Counterexample
 
-FILE = "src/exercise03.cpp"
+FILE = SOURCE_PATH
 """Name of the student's file in every message, wherever it really lies."""
 
 FOLDER = "counterexamples"

@@ -38,7 +38,7 @@ class Job:
         self._result_size = DATA_OFFSET
 
     def give(self, array: npt.NDArray[Any]) -> int:
-        """Put an array into the input; returns its offset."""
+        """Put an array of any shape (...) and dtype into the input; returns its offset."""
         offset = self._given_size
         self._arrays.append((offset, np.ascontiguousarray(array)))
         self._given_size += -(-array.nbytes // ALIGNMENT) * ALIGNMENT
@@ -133,7 +133,7 @@ class Result:
         self._memory = mmap.mmap(descriptor, size, prot=mmap.PROT_READ)
 
     def array(self, offset: int, count: int, dtype: type[np.generic]) -> npt.NDArray[Any]:
-        """Copy of `count` items that start at a reserved offset."""
+        """Copy of the `count` items at a reserved offset: (count,) of `dtype`."""
         return np.frombuffer(self._memory, dtype, count, offset).copy()
 
     def number(self, offset: int) -> int:

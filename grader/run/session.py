@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from grader.model.grade import Limits
-from grader.model.stages import Ending, Stop
+from grader.model.stages import SOURCE_PATH, Ending, Stop
 from grader.run.job import Job, Result
 from grader.run.protocol import ERROR_CAPACITY, ERROR_OFFSET, Status
 from grader.sandbox.box import Bounds, Box, Isolation
@@ -68,7 +68,7 @@ _EXHAUSTED = re.compile(
 )
 # An address is another one in each run, and two runs with one seed say the same.
 _ADDRESS = re.compile(r"\b0x[0-9a-f]{1,16}\b")
-_OWN_LINE = re.compile(r"src/exercise03\.cpp:(\d{1,7})")
+_OWN_LINE = re.compile(rf"{re.escape(SOURCE_PATH)}:(\d{{1,7}})")
 
 
 @dataclass(frozen=True, slots=True)

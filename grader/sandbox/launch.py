@@ -81,6 +81,12 @@ class _Running:
         self._stopped = threading.Event()
 
     def start(self, order: Order) -> subprocess.Popen[bytes]:
+        """Start a child, and end it again if the grader is stopped meanwhile.
+
+        Raises:
+            MissingTool: The program does not exist or may not be started.
+            Interrupted: The grader is being stopped.
+        """
         with self._lock:
             if self._stopped.is_set():
                 raise Interrupted("the grader was asked to stop")

@@ -42,8 +42,12 @@ def unreadable(mesh: Mesh, bvh: Bvh) -> Example | None:
     if faces and not len(bvh.end):
         return Example("there are no nodes at all", "a root node at index 0", "0 nodes")
     if bvh.node_count > NODE_CAPACITY:
-        text = f"there are {bvh.node_count:,} nodes, but depth 20 has room for 2,097,151"
-        return Example(text, "at most 2,097,151 nodes", f"{bvh.node_count:,} nodes")
+        most = f"at most {NODE_CAPACITY:,} nodes"
+        text = (
+            f"there are {bvh.node_count:,} nodes, but {most} are read; "
+            "depth 20 has room for 2,097,151"
+        )
+        return Example(text, most, f"{bvh.node_count:,} nodes")
     if len(bvh.order) < faces:
         text = f"faceIndices has {len(bvh.order):,} entries, but the mesh has {faces:,} faces"
         return Example(text, f"{faces:,} entries", f"{len(bvh.order):,} entries")

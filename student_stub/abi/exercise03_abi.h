@@ -12,7 +12,7 @@
  *           as it was tested, 9 floats: box minimum and maximum, or the triangle's corners
  * Functions that copy write at most `capacity` items and return the true number of items.
  * A submission may write into whatever it is given, so meshes and trees are copied once on the
- * way in; rays and hits are not copied, and trees and counters can be read where they lie. */
+ * way in; rays and hits are not copied, and trees can be read where they lie. */
 
 #include <stdint.h>
 

@@ -16,10 +16,9 @@ import pytest
 
 from grader import pipeline
 from grader.build import compile as building
-from grader.build.diagnostics import SOURCE_NAME
 from grader.build.workspace import GRADED
 from grader.errors import BuildFault
-from grader.model.stages import Ending
+from grader.model.stages import SOURCE_PATH, Ending
 from grader.model.verdict import Verdict
 from grader.options import Options
 from grader.pipeline import grade_one
@@ -186,7 +185,7 @@ MADE: dict[tuple[str, bytes], Any] = {}
 
 def once(name: str, work: Any, make: Callable[[], Any]) -> Any:  # noqa: ANN401 - passes through
     """Make something of a source, or give what was made before."""
-    key = (name, (work.folder / SOURCE_NAME).read_bytes())
+    key = (name, (work.folder / SOURCE_PATH).read_bytes())
     if key not in MADE:
         MADE[key] = make()
     return MADE[key]

@@ -32,7 +32,7 @@ def test_a_model_is_imported_and_listed(tmp_path: Path) -> None:
     (tmp_path / "hut.obj").write_text(PYRAMID)
     first = call("import", "hut.obj")
     assert first.exit_code == 0
-    assert "1 faces without any area were left out" in first.stdout
+    assert "1 face without any area was left out" in first.stdout
     listed = call("list", "--scenes", "own-scenes")
     assert listed.exit_code == 0
     for told in ("hut", "4 faces", "32 x 32", "x 1", "visible", "MiB by Mitsuba 3."):
@@ -43,13 +43,19 @@ def test_a_model_is_imported_and_listed(tmp_path: Path) -> None:
     assert call("import", "hut.obj", "--name", "house", "--into", "own-scenes").exit_code == 0
 
 
-def test_a_model_that_will_not_do_is_the_callers_mistake(tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("vertex", "told"),
+    [("0 0 nan", "coordinate 3 is 'nan'"), ("0 0", "coordinate 3 is ''")],
+)
+def test_a_model_that_will_not_do_is_the_callers_mistake(
+    tmp_path: Path, vertex: str, told: str
+) -> None:
     """One sentence, no traceback."""
-    (tmp_path / "bad.obj").write_text("v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    (tmp_path / "bad.obj").write_text(f"v {vertex}\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
     result = call("import", "bad.obj")
     assert result.exit_code == 2
     assert result.stderr.strip() == (
-        "bvhgrade: bad.obj: 1 vertices are no numbers (NaN or infinite)"
+        f"bvhgrade: bad.obj:1: {told}, but three finite numbers are expected after 'v'"
     )
     assert not (tmp_path / "own-scenes").exists()
 

@@ -8,6 +8,7 @@ import numpy as np
 from grader.model.cases import HitCase
 from grader.model.grade import Cause
 from grader.model.mesh import Hits
+from grader.options import Options
 from grader.selection import select
 from grader.summary import Summary
 from tests.diagnose.test_hits import CLOSEST, RAYS, farthest, table, trial
@@ -20,7 +21,7 @@ SPECIAL, RECORD = "hits.special-rays", "hits.record-is-complete"
 def causes(rubric: Path | None) -> dict[str, Cause | None]:
     """Grade a search that keeps the farthest hit on ordinary trials and on a special one."""
     selection = select(rubric, ())
-    summary = Summary(selection, 1, lambda *_: None, "none")
+    summary = Summary(selection, Options(1, None, (), lambda *_: None), "none")
     trials = (trial(1), trial(2), replace(trial(0), name="limits", special=True))
     nothing = np.zeros((RAYS, 3), np.float32)
     for given in trials:

@@ -31,7 +31,7 @@ ENGLISH = "4,480 of 15,043 wrong, first in `scene-1,000`: node 3: the box is (1,
     [
         ("4,480 of 15,043 wrong", "4.480 von 15.043 falsch"),
         ("1,234,567 faces, 1 ray", "1.234.567 Dreiecke, 1 Strahl"),
-        ("at most 2,097,151 nodes", "höchstens 2.097.151 Knoten"),
+        ("at most 4,194,304 nodes", "höchstens 4.194.304 Knoten"),
         ("1,000 entries", "1.000 Einträge"),
         ("999 entries", "999 Einträge"),
         ("ended by 0,123", "beendet durch 0,123"),

@@ -1,6 +1,7 @@
 """Each limit of a compiler: just under it compiles, just over it is said in words of ours."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -10,10 +11,10 @@ from grader.build.compile import prepared
 from grader.build.compiler import find_compiler
 from grader.build.compiling import Compilation
 from grader.build.workspace import GRADED, workspace
-from grader.model.grade import CompileLimits
 from grader.model.stages import Diagnostic
 from grader.sandbox.box import Isolation, Level
 from grader.sandbox.streams import DROPPED
+from grader.score.rubric import load_rubric
 from tests.compiled import BEGIN, CONSTRUCT, INTERSECT, submission_of
 from tests.sandbox.boxes import (
     COMPILER_BOUNDS,
@@ -23,6 +24,7 @@ from tests.sandbox.boxes import (
     python_as_compiler,
 )
 
+SHIPPED = load_rubric().limits.compiler
 PLAIN = BEGIN + CONSTRUCT + INTERSECT
 ENDLESS = """template <int N> struct Deep : Deep<N - 1> {};
 template <> struct Deep<0> {};
@@ -41,7 +43,7 @@ def compiled(isolation: Isolation, open_folder: Path) -> Compiled:
     """Give a function that compiles a source once with some limits."""
 
     def compile_once(source: str, **limits: int) -> tuple[bool, list[str]]:
-        order = Compilation(open_folder, isolation, CompileLimits(**limits))
+        order = Compilation(open_folder, isolation, replace(SHIPPED, **limits))
         work = prepared(submission_of(source), order)
         linked = module._link(workspace(find_compiler(), GRADED), work, GRADED.name)
         return linked.library is not None, [words(each) for each in linked.diagnostics]

@@ -1,10 +1,12 @@
 """Tests of grader/score/rubric.py and grader/table.py."""
 
+from dataclasses import MISSING, fields
 from pathlib import Path
 
 import pytest
 
 from grader.errors import UsageError
+from grader.model.grade import CompileLimits, Limits
 from grader.score.points import SURVIVAL
 from grader.score.rubric import SHIPPED, load_rubric
 from grader.verify import every_check
@@ -31,6 +33,12 @@ def test_every_check_has_a_criterion_and_the_other_way_round() -> None:
     criteria = {one.check for one in load_rubric().criteria}
     assert {one.id for one in every_check()} == criteria
     assert set(SURVIVAL.values()) <= criteria
+
+
+@pytest.mark.parametrize("record", [CompileLimits, Limits])
+def test_limits_are_written_in_the_rubric_alone(record: type[CompileLimits | Limits]) -> None:
+    """A default would be a second place that may say something else."""
+    assert [field.name for field in fields(record) if field.default is not MISSING] == []
 
 
 def test_the_gates_are_those_of_the_design() -> None:

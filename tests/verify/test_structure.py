@@ -48,7 +48,10 @@ def message(mesh: Mesh, bvh: Bvh) -> str:
             altered(BVH, low=np.zeros((0, 3)), high=np.zeros((0, 3)), begin=[], end=[]),
             "no nodes",
         ),
-        (altered(BVH, node_count=2**22 + 1), "there are 4,194,305 nodes"),
+        (
+            altered(BVH, node_count=2**22 + 1),
+            "there are 4,194,305 nodes, but at most 4,194,304 nodes are read; depth 20 has",
+        ),
         (altered(BVH, node_count=2**63), "there are 9,223,372,036,854,775,808 nodes"),
         (altered(BVH, order=BVH.order[:-1]), "faceIndices has 36 entries"),
         (altered(BVH, order=[]), "faceIndices has 0 entries"),

@@ -36,7 +36,11 @@ def libraries() -> tuple[Path, Path] | None:
 
 
 def opened() -> ctypes.CDLL:
-    """Load Embree, with the types of what is called."""
+    """Load Embree, with the types of what is called.
+
+    Raises:
+        SystemExit: The installed embreex brings another version.
+    """
     paths = libraries()
     if paths is None:
         raise SystemExit("embreex has no Embree 4 in it")
@@ -65,7 +69,13 @@ def opened() -> ctypes.CDLL:
 def scene_of(
     embree: ctypes.CDLL, vertices: npt.NDArray[np.float32], faces: npt.NDArray[np.uint32]
 ) -> tuple[int, float]:
-    """Build a scene of medium quality, robust; also return the CPU seconds that it took."""
+    """Build a scene of medium quality, robust; also return the CPU seconds that it took.
+
+    Args:
+        embree: The library.
+        vertices: (V, 3) float32.
+        faces: (F, 3) uint32.
+    """
     device = embree.rtcNewDevice(b"threads=1")
     v = np.zeros((len(vertices) + 1, 3), np.float32)  # one to spare, as it asks for
     v[:-1] = vertices
