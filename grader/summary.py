@@ -73,6 +73,7 @@ class Summary:
         self._findings: list[Finding] = []
         self._untouched: set[str] = set()
         self._touched: set[str] = set()
+        self._dead: set[str] = set()
         self._begun = time.monotonic()
         self._stages = list(before)
         self._seconds_before = sum(spent for _, spent in before)
@@ -165,6 +166,7 @@ class Summary:
             self._findings,
             planned_cases(checks, trials),
             started,
+            started & {"a"} & self._untouched - self._touched,
         )
         seconds, causes = self._examiner.seconds, self._causes(scores)
         scores = tuple(
@@ -206,7 +208,7 @@ class Summary:
 
         Testing every face of a tree that it walks is a mistake; the given loop has no tree.
         """
-        started = self._touched | (set(PARTS) - self._untouched)
+        started = self._touched | self._dead | (set(PARTS) - self._untouched)
         return started if self.closed("work.uses-the-tree") else started | {"b"}
 
     def _note(self, case: Case) -> None:
@@ -216,7 +218,7 @@ class Summary:
             self._flooded += DROPPED.decode() in case.ending.output
             if case.ending.finding or case.ending.stop is Stop.CRASHED:
                 # The given code does neither, even where a tree is still only its root.
-                self._touched.add(part_of(case.trial))
+                self._dead.add(part_of(case.trial))
         elif isinstance(case, TreeCase) and len(case.trial.mesh.faces) > FACES_PER_LEAF:
             split = shape(case.bvh).inner.size > 0
             (self._touched if split else self._untouched).add("a")

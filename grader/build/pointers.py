@@ -17,7 +17,7 @@ MOST_PLACES = 64
 """A class with more virtual functions is not told from other tables."""
 
 POINTER_CALL = re.compile(rb"^(call\w*\s+\*|blr\s)")
-_MEMORY = rb"(-?\d{0,9})\((%r\w{1,3})\)"
+_MEMORY = rb"(-?\d{1,9}|)\((%r\w{1,3})\)"
 _CALLED = re.compile(rb"^call\w*\s+\*(?:(%r\w{1,3})|" + _MEMORY + rb")$")
 _MOVE = re.compile(
     rb"^movq\s+(?:(%r\w{1,3})|" + _MEMORY + rb"),\s*(?:(%r\w{1,3})|(-\d{1,9})\(%rbp\))$"

@@ -24,7 +24,10 @@ class Criterion:
     part: str
     points: float
     gate: bool
-    """If no case passes, the whole part earns nothing."""
+    """If no case passes, or too few do, the whole part earns nothing."""
+
+    gate_share: float
+    """From 0 to 1: too few are less than this share of the cases; 0 of what is no gate."""
 
     visibility: str
     """`visible`, `hidden` or `after_due_date`."""

@@ -70,8 +70,12 @@ def points(rubric: Rubric) -> str:
         if rest := [one for one in mine if one.visibility != VISIBLE]:
             lines += [f"| {_total(rest)} | what is not shown before the due date, or at all |"]
         lines += [""]
-    if any(one.gate and one.visibility == VISIBLE for one in rubric.criteria):
+    gates = [one for one in rubric.criteria if one.gate and one.visibility == VISIBLE]
+    if gates:
         lines += ["If a gate passes nowhere, its part earns nothing.", ""]
+    for one in gates:
+        if one.gate_share:
+            lines += [f"`{one.check}` has to pass in {one.gate_share:.0%} of its cases.", ""]
     return "\n".join(lines)
 
 

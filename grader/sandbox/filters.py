@@ -39,9 +39,10 @@ _DESCRIPTOR_COMMANDS = (
     fcntl.F_GETFD,
     fcntl.F_SETFD,
     fcntl.F_GETFL,
-    fcntl.F_SETFL,
     fcntl.F_DUPFD_CLOEXEC,
 )
+_PACKETS = 0o240000
+"""O_DIRECT, on Arm or elsewhere. A pipe with it is read one write at a time, however short."""
 
 Instruction = tuple[int, int, int, int]
 """Code, jump if true, jump if false, constant."""
@@ -66,7 +67,7 @@ def worker_filter(machine: str = "") -> bytes:
         _when(of, "tgkill", _if_one_of(0, [own])),
         _when(of, "prctl", _if_one_of(0, [_SET_NAME, _GET_NAME, _SET_VMA])),
         _when(of, "ioctl", _if_one_of(1, [_TERMINAL_STATE, _WINDOW_SIZE])),
-        _when(of, "fcntl", _if_one_of(1, _DESCRIPTOR_COMMANDS)),
+        _when(of, "fcntl", _descriptor_commands()),
         _when(of, "prlimit64", _reading_limits()),
     ]
     return _program(of, parts, _REFUSE)
@@ -136,6 +137,18 @@ def _compared(values: Iterable[int], then: int) -> Iterator[Instruction]:
     for value in values:
         yield (_EQUAL, 0, 1, value)
         yield _answer(then)
+
+
+def _descriptor_commands() -> list[Instruction]:
+    """fcntl of commands that concern one descriptor; none that makes packets of a pipe."""
+    marks = _unless_bits(2, _PACKETS, _ALLOW)
+    return [
+        _argument(1),
+        (_EQUAL, 0, len(marks), fcntl.F_SETFL),
+        *marks,
+        *_compared(_DESCRIPTOR_COMMANDS, _ALLOW),
+        _answer(_REFUSE),
+    ]
 
 
 def _reading_limits() -> list[Instruction]:

@@ -1,8 +1,8 @@
 """How many points does each check and each part earn, and what is the student told?
 
 Theory of operation: a criterion earns points x passed / max(examined, planned / 2), rounded
-down to quarters; nothing, if a case forfeits them. A gate that passes nowhere takes the points
-of its part, and the gate of both parts those of both. Our own fault counts in the student's
+down to quarters; nothing, if a case forfeits them. A gate that passes nowhere, or too
+seldom, takes the points of its part, and the gate of both parts those of both. Our own fault counts in the student's
 favour here, and `final_score` withholds the sum, so that nobody mistakes it for a grade.
 """
 
@@ -19,6 +19,8 @@ from grader.score.tally import Tally, by_place, points, tally
 
 SURVIVAL = {"a": "bvh.survives-every-mesh", "b": "hits.survives-every-ray"}
 """The check of each part that says whose workers died."""
+
+ONLY_CRASHES = "earns nothing: where it does not crash, it does what the given code does"
 
 _MAX_EXAMPLES = 3
 _NAMED_CASES = 8
@@ -37,6 +39,7 @@ def score_checks(
     findings: Sequence[Finding],
     planned: Mapping[str, Fraction | int],
     started: Collection[str],
+    given_or_dead: Collection[str] = (),
 ) -> tuple[CheckScore, ...]:
     """Give every check of the rubric its points and its words, in the order of `checks`.
 
@@ -46,6 +49,7 @@ def score_checks(
         findings: One of each check and case.
         planned: Per check, the weight of the cases that a right submission gives it.
         started: The parts that no longer are the given code.
+        given_or_dead: Those of them that do what the given code does wherever they survive.
     """
     placed = by_place(findings)
     tallies = {
@@ -58,7 +62,8 @@ def score_checks(
         for id, title in checks
         if id in worth
     )
-    return _behind_gates(_idle(scores, started), rubric.criteria, tallies)
+    idle = _idle(scores, started, given_or_dead)
+    return _behind_gates(idle, rubric.criteria, tallies)
 
 
 def score_parts(
@@ -187,14 +192,22 @@ def _died(part: str, tallies: Mapping[str, Tally]) -> str | None:
     return survival if survival in tallies and tallies[survival].failed else None
 
 
-def _idle(scores: Sequence[CheckScore], started: Collection[str]) -> tuple[CheckScore, ...]:
-    """Nothing is earned, and nothing is blamed, in a part that is not started."""
-    return tuple(
-        score
-        if score.part == BOTH or score.part in started
-        else _worthless(score, "not started: it still does what the given code does", None)
-        for score in scores
-    )
+def _idle(
+    scores: Sequence[CheckScore], started: Collection[str], given_or_dead: Collection[str]
+) -> tuple[CheckScore, ...]:
+    """Nothing is earned, and nothing is blamed, in a part that is not started.
+
+    Nor is anything earned by crashes alone: those stay visible.
+    """
+
+    def told(score: CheckScore) -> CheckScore:
+        if score.part != BOTH and score.part not in started:
+            return _worthless(score, "not started: it still does what the given code does", None)
+        if score.part in given_or_dead:
+            return _worthless(score, ONLY_CRASHES, SURVIVAL[score.part])
+        return score
+
+    return tuple(map(told, scores))
 
 
 def _behind_gates(
@@ -203,15 +216,18 @@ def _behind_gates(
     closed: dict[str, str] = {}
     for gate in (one for one in criteria if one.gate and one.check in tallies):
         of = tallies[gate.check]
-        if (of.planned or of.failed or of.blocked) and not of.passed and not of.undecided:
+        if (of.planned or of.failed or of.blocked) and not of.opens(gate.gate_share):
             closed.setdefault(gate.part, gate.check)
-    return tuple(_behind(score, closed.get(BOTH) or closed.get(score.part)) for score in scores)
-
-
-def _behind(score: CheckScore, gate: str | None) -> CheckScore:
-    if gate is None or score.check == gate:
-        return score
-    return _worthless(score, f"earns nothing because `{gate}` fails everywhere", gate)
+    gates = [closed.get(BOTH) or closed.get(score.part) for score in scores]
+    how_far = {id: "nearly " if tallies[id].passed else "" for id in closed.values()}
+    return tuple(
+        score
+        if gate is None or score.check == gate
+        else _worthless(
+            score, f"earns nothing because `{gate}` fails {how_far[gate]}everywhere", gate
+        )
+        for score, gate in zip(scores, gates, strict=True)
+    )
 
 
 def _worthless(score: CheckScore, message: str, gate: str | None) -> CheckScore:

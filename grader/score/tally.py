@@ -43,6 +43,11 @@ class Tally:
         """Whether at least half of what was planned could be examined."""
         return 2 * _weight(self.every) >= self.planned
 
+    def opens(self, share: float) -> bool:
+        """Whether a gate is open: it passes somewhere, and in so many of its cases."""
+        passed = _weight(self.passed)
+        return bool(self.undecided) or passed > 0 and passed >= share * _weight(self.every)
+
     @property
     def share(self) -> Fraction:
         """What is earned, from 0 to 1; the undecided cases count in favour."""

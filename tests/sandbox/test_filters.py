@@ -271,3 +271,11 @@ def test_fcntl_neither_locks_nor_seals_nor_notifies(worker: Filter) -> None:
         fcntl.F_SETFL,
         fcntl.F_DUPFD_CLOEXEC,
     }
+
+
+def test_no_pipe_becomes_one_of_packets(worker: Filter) -> None:
+    """The grader would read each byte of the output by itself."""
+    assert worker.call("fcntl", 1, fcntl.F_SETFL, os.O_NONBLOCK | os.O_APPEND) == ALLOW
+    for marks in (os.O_DIRECT, os.O_DIRECT | os.O_NONBLOCK):
+        assert worker.call("fcntl", 1, fcntl.F_SETFL, marks) == REFUSE
+    assert worker.call("fcntl", 1, fcntl.F_DUPFD, os.O_DIRECT) == ALLOW

@@ -121,6 +121,36 @@ def test_a_gate_that_passes_once_is_open(gate: str) -> None:
     assert scored([*found(READABLE, gate), *found(BOXES, "PP")], 2).score == 4
 
 
+@pytest.mark.parametrize(
+    ("gate", "earned"), [("PFFFF", 0), ("PFFF", 4), ("PKFFFF", 4), ("PBBBB", 0)]
+)
+def test_a_gate_may_ask_for_a_share_of_its_cases(gate: str, earned: float) -> None:
+    """So nobody opens it by the smallest case alone; our own fault does not close it."""
+    asking = [replace(one, gate_share=0.25 * one.gate) for one in rubric().criteria]
+    findings = [
+        *found(SURVIVES, "F" * len(gate)),
+        *found(READABLE, gate, reason=SURVIVES),
+        *found(BOXES, "PP"),
+    ]
+    checks = [(READABLE, "readable"), (BOXES, "boxes"), (SURVIVES, "survives")]
+    weighed = replace(rubric(), criteria=tuple(asking))
+    boxes = score_checks(weighed, checks, findings, {READABLE: 4, BOXES: 2}, STARTED)[1]
+    assert boxes.score == earned
+    assert ("fails nearly everywhere" in boxes.message) == (not earned)
+
+
+@pytest.mark.parametrize(("boxes", "verdict"), [("P", Verdict.BLOCKED), ("F", Verdict.FAIL)])
+def test_crashes_alone_earn_nothing(boxes: str, verdict: Verdict) -> None:
+    """Where it ends well it does what the given code does; what failed is still told."""
+    findings = [*found(READABLE, "P"), *found(BOXES, boxes), *found(SURVIVES, "F")]
+    checks = [(READABLE, "readable"), (BOXES, "boxes"), (SURVIVES, "survives")]
+    plan = dict.fromkeys((READABLE, BOXES, SURVIVES), 1)
+    scores = score_checks(rubric(), checks, findings, plan, STARTED, {"a"})
+    assert not sum(one.score for one in scores)
+    assert scores[1].verdict is verdict
+    assert scores[2].verdict is Verdict.FAIL
+
+
 def test_a_gate_that_nobody_lived_to_see_is_closed() -> None:
     """Every worker died: the gate is blocked by that, and everything else by the gate."""
     ends = found(SURVIVES, "FF")
