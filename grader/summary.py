@@ -26,7 +26,12 @@ from grader.options import Options, Progress
 from grader.oracle.scenes import scenes_sha256
 from grader.run.trials import part_of
 from grader.sandbox.streams import DROPPED
-from grader.score.points import final_score, score_checks, score_parts
+from grader.score.points import (
+    crashes_earn_nothing,
+    final_score,
+    score_checks,
+    score_parts,
+)
 from grader.selection import Selection
 from grader.tolerances import FACES_PER_LEAF
 from grader.verify.engine import NOTHING, Examiner, looks_at
@@ -166,8 +171,8 @@ class Summary:
             self._findings,
             planned_cases(checks, trials),
             started,
-            started & {"a"} & self._untouched - self._touched,
         )
+        scores = crashes_earn_nothing(scores, started & {"a"} & self._untouched - self._touched)
         seconds, causes = self._examiner.seconds, self._causes(scores)
         scores = tuple(
             replace(one, seconds=seconds[one.check], cause=causes.get(one.check))

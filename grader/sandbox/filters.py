@@ -140,7 +140,7 @@ def _compared(values: Iterable[int], then: int) -> Iterator[Instruction]:
 
 
 def _descriptor_commands() -> list[Instruction]:
-    """fcntl of commands that concern one descriptor; none that makes packets of a pipe."""
+    """Commands of fcntl that concern one descriptor; none that makes packets of a pipe."""
     marks = _unless_bits(2, _PACKETS, _ALLOW)
     return [
         _argument(1),

@@ -1,9 +1,10 @@
 """How many points does each check and each part earn, and what is the student told?
 
 Theory of operation: a criterion earns points x passed / max(examined, planned / 2), rounded
-down to quarters; nothing, if a case forfeits them. A gate that passes nowhere, or too
-seldom, takes the points of its part, and the gate of both parts those of both. Our own fault counts in the student's
-favour here, and `final_score` withholds the sum, so that nobody mistakes it for a grade.
+down to quarters; nothing, if a case forfeits them. A gate that passes nowhere, or too seldom,
+takes the points of its part, and the gate of both parts those of both. Our own fault counts in
+the student's favour here, and `final_score` withholds the sum, so that nobody mistakes it for
+a grade.
 """
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
@@ -20,7 +21,7 @@ from grader.score.tally import Tally, by_place, points, tally
 SURVIVAL = {"a": "bvh.survives-every-mesh", "b": "hits.survives-every-ray"}
 """The check of each part that says whose workers died."""
 
-ONLY_CRASHES = "earns nothing: where it does not crash, it does what the given code does"
+_ONLY_CRASHES = "earns nothing: where it does not crash, it does what the given code does"
 
 _MAX_EXAMPLES = 3
 _NAMED_CASES = 8
@@ -39,7 +40,6 @@ def score_checks(
     findings: Sequence[Finding],
     planned: Mapping[str, Fraction | int],
     started: Collection[str],
-    given_or_dead: Collection[str] = (),
 ) -> tuple[CheckScore, ...]:
     """Give every check of the rubric its points and its words, in the order of `checks`.
 
@@ -49,7 +49,6 @@ def score_checks(
         findings: One of each check and case.
         planned: Per check, the weight of the cases that a right submission gives it.
         started: The parts that no longer are the given code.
-        given_or_dead: Those of them that do what the given code does wherever they survive.
     """
     placed = by_place(findings)
     tallies = {
@@ -62,8 +61,17 @@ def score_checks(
         for id, title in checks
         if id in worth
     )
-    idle = _idle(scores, started, given_or_dead)
-    return _behind_gates(idle, rubric.criteria, tallies)
+    return _behind_gates(_idle(scores, started), rubric.criteria, tallies)
+
+
+def crashes_earn_nothing(
+    scores: Sequence[CheckScore], parts: Collection[str]
+) -> tuple[CheckScore, ...]:
+    """Take the points of parts that do what the given code does, wherever they survive."""
+    return tuple(
+        _worthless(score, _ONLY_CRASHES, SURVIVAL[score.part]) if score.part in parts else score
+        for score in scores
+    )
 
 
 def score_parts(
@@ -192,22 +200,14 @@ def _died(part: str, tallies: Mapping[str, Tally]) -> str | None:
     return survival if survival in tallies and tallies[survival].failed else None
 
 
-def _idle(
-    scores: Sequence[CheckScore], started: Collection[str], given_or_dead: Collection[str]
-) -> tuple[CheckScore, ...]:
-    """Nothing is earned, and nothing is blamed, in a part that is not started.
-
-    Nor is anything earned by crashes alone: those stay visible.
-    """
-
-    def told(score: CheckScore) -> CheckScore:
-        if score.part != BOTH and score.part not in started:
-            return _worthless(score, "not started: it still does what the given code does", None)
-        if score.part in given_or_dead:
-            return _worthless(score, ONLY_CRASHES, SURVIVAL[score.part])
-        return score
-
-    return tuple(map(told, scores))
+def _idle(scores: Sequence[CheckScore], started: Collection[str]) -> tuple[CheckScore, ...]:
+    """Nothing is earned, and nothing is blamed, in a part that is not started."""
+    return tuple(
+        score
+        if score.part == BOTH or score.part in started
+        else _worthless(score, "not started: it still does what the given code does", None)
+        for score in scores
+    )
 
 
 def _behind_gates(

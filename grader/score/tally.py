@@ -46,7 +46,7 @@ class Tally:
     def opens(self, share: float) -> bool:
         """Whether a gate is open: it passes somewhere, and in so many of its cases."""
         passed = _weight(self.passed)
-        return bool(self.undecided) or passed > 0 and passed >= share * _weight(self.every)
+        return bool(self.undecided) or (passed > 0 and passed >= share * _weight(self.every))
 
     @property
     def share(self) -> Fraction:

@@ -8,7 +8,7 @@ import pytest
 from grader.model.grade import CheckScore, Rubric
 from grader.model.stages import Stop
 from grader.model.verdict import Evidence, Example, Finding, Verdict
-from grader.score.points import final_score, score_checks, score_parts
+from grader.score.points import crashes_earn_nothing, final_score, score_checks, score_parts
 from grader.score.rubric import load_rubric
 
 BOXES = "bvh.boxes-are-tight"
@@ -145,7 +145,9 @@ def test_crashes_alone_earn_nothing(boxes: str, verdict: Verdict) -> None:
     findings = [*found(READABLE, "P"), *found(BOXES, boxes), *found(SURVIVES, "F")]
     checks = [(READABLE, "readable"), (BOXES, "boxes"), (SURVIVES, "survives")]
     plan = dict.fromkeys((READABLE, BOXES, SURVIVES), 1)
-    scores = score_checks(rubric(), checks, findings, plan, STARTED, {"a"})
+    scores = score_checks(rubric(), checks, findings, plan, STARTED)
+    assert crashes_earn_nothing(scores, {"b"}) == scores
+    scores = crashes_earn_nothing(scores, {"a"})
     assert not sum(one.score for one in scores)
     assert scores[1].verdict is verdict
     assert scores[2].verdict is Verdict.FAIL
