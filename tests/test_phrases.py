@@ -217,6 +217,11 @@ def test_why_a_file_is_refused_is_told_in_german(name: str) -> None:
             "Speicher nicht als sicher: Zeile 3: no hit",
         ),
         (
+            "`cube`: The grader itself failed here (KeyError); it costs no points.",
+            "`cube`: Hier ist die Bewertung selbst gescheitert (KeyError); das kostet keine "
+            "Punkte.",
+        ),
+        (
             "views.json is missing, which is our own fault (KeyError) and costs no point",
             "views.json fehlt; das ist unser eigener Fehler (KeyError) und kostet keinen Punkt",
         ),

@@ -23,7 +23,7 @@ from grader.cli.order import Order, call_of, is_whole, ordered, repetition
 from grader.cli.output import patient_stdout
 from grader.cli.progress import shown, shown_progress
 from grader.cli.replaying import replayed, require_alone
-from grader.cli.status import FULL_MARKS, INTERRUPTED, LOST_POINTS, OUR_FAULT, stop
+from grader.cli.status import FULL_MARKS, INTERRUPTED, LOST_POINTS, OUR_FAULT, stop, tell_of
 from grader.errors import Interrupted, UsageError
 from grader.language import translator
 from grader.model.grade import Grade
@@ -161,7 +161,9 @@ def graded(order: Order) -> Grade:
             views=order.views and not order.quick,
             quick=order.quick,
         )
-        return grade_one(order.path, options)
+        result = grade_one(order.path, options)
+    tell_of(result.traceback)
+    return result
 
 
 def stored(folder: Path, result: Grade, order: Order) -> Path:

@@ -5,16 +5,13 @@ own fault; 130 interrupted, 143 terminated. No traceback is ever shown: it is ke
 which is named.
 """
 
-import os
-import tempfile
 import traceback
-from pathlib import Path
 from typing import Any, NoReturn
 
 import click
 
 from grader.errors import GraderError, Interrupted, UsageError
-from grader.plain import printable
+from grader.faults import noted
 from grader.report.escape import for_terminal
 
 FULL_MARKS = 0
@@ -22,12 +19,6 @@ LOST_POINTS = 1
 WRONG_USAGE = 2
 OUR_FAULT = 3
 INTERRUPTED = 130
-
-LONGEST_TRACEBACK = 100_000
-"""Characters; it may quote a stranger, and a maintainer prints it."""
-
-ALL_TRACEBACKS = 10 << 20
-"""Bytes that are kept; beyond them the oldest ones go."""
 
 
 class GraderGroup(click.Group):
@@ -79,28 +70,17 @@ def stop(ctx: click.Context, sentence: str, status: int) -> NoReturn:
     ctx.exit(status)
 
 
+def tell_of(traceback: str) -> None:
+    """Say on standard error where the traceback of checks that broke is, if any did."""
+    if traceback:
+        click.echo(for_terminal(f"bvhgrade: {noted(traceback)}"), err=True)
+
+
 def surprise(fault: Exception) -> str:
     """Word a fault that nobody foresaw, and keep its traceback in a file."""
     kind = type(fault).__name__
     text = "".join(traceback.format_exception(fault))
     return (
         f"the grader itself failed ({kind}); nothing is concluded about the submission.\n"
-        f"What a maintainer needs is in {kept(text)}"
+        f"{noted(text)}"
     )
-
-
-def kept(text: str) -> Path:
-    """Write a traceback into the cache folder, or into a temporary one if that fails too."""
-    try:
-        from grader.entries import drop_oldest
-        from grader.resources import cache_folder
-
-        folder = cache_folder() / "faults"
-        folder.mkdir(mode=0o700, exist_ok=True)
-        drop_oldest(folder, ALL_TRACEBACKS)
-    except (GraderError, OSError):
-        folder = Path(tempfile.gettempdir())
-    handle, name = tempfile.mkstemp(prefix="fault-", suffix=".txt", dir=folder)
-    with os.fdopen(handle, "w", encoding="utf-8", errors="backslashreplace") as file:
-        file.write(printable(text, LONGEST_TRACEBACK))
-    return Path(name)

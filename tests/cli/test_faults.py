@@ -1,11 +1,13 @@
 """`check` and `grade` when we are at fault: one sentence, and nothing is lost."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from grader.errors import BuildFault, MissingTool, UsageError
 from tests.cli.calls import FILE, WRITTEN, Pipeline, call
+from tests.report import samples
 
 
 @pytest.mark.parametrize(
@@ -41,6 +43,23 @@ def test_an_unforeseen_fault_keeps_its_traceback_in_a_file(
     (kept,) = (tmp_path / "cache" / "faults").iterdir()
     assert str(kept) in result.stderr
     assert "secret detail" in kept.read_text()
+
+
+@pytest.mark.parametrize("command", ["check", "grade"])
+def test_the_traceback_of_a_check_that_broke_is_kept_in_a_file(
+    pipeline: Pipeline, tmp_path: Path, command: str
+) -> None:
+    """Whoever ran the command is told where, and the result tells nobody."""
+    broken = replace(samples.broken(), traceback="Traceback: secret detail")
+    pipeline.answer = lambda: broken
+    result = call(command, FILE)
+    assert result.exit_code == 3
+    (noted,) = (tmp_path / "cache" / "faults").iterdir()
+    assert noted.read_text() == "Traceback: secret detail"
+    assert result.stderr == f"bvhgrade: What a maintainer needs is in {noted}\n"
+    assert "secret" not in result.stdout
+    for written in Path("bvhgrade-out").iterdir():
+        assert "secret" not in written.read_text()
 
 
 def test_a_traceback_survives_without_a_cache(
