@@ -1,7 +1,9 @@
 """`check` and `grade` when we are at fault: one sentence, and nothing is lost."""
 
 from dataclasses import replace
+from errno import ENOSPC
 from pathlib import Path
+from typing import NoReturn
 
 import pytest
 
@@ -73,6 +75,27 @@ def test_a_traceback_survives_without_a_cache(
     kept = Path(result.stderr.rsplit(" ", 1)[1].strip())
     assert "ZeroDivisionError" in kept.read_text()
     kept.unlink()
+
+
+@pytest.mark.parametrize("step", ["tempfile.mkstemp", "grader.faults.printable"])
+def test_a_full_disk_costs_the_traceback_alone(
+    pipeline: Pipeline, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, step: str
+) -> None:
+    """Before it is written or in between: that is said, and no rest is left."""
+
+    def full(*_: object, **__: object) -> NoReturn:
+        raise OSError(ENOSPC, "No space left on device")
+
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    monkeypatch.setattr(step, full)
+    pipeline.fail(ZeroDivisionError())
+    result = call("grade", FILE)
+    assert result.exit_code == 3
+    assert result.exception is None or isinstance(result.exception, SystemExit)
+    assert result.stderr.splitlines()[1:] == [
+        "bvhgrade: What a maintainer needs could not be kept: No space left on device"
+    ]
+    assert not list(tmp_path.rglob("fault-*"))
 
 
 @pytest.mark.parametrize("fault", [KeyboardInterrupt(), SystemExit(7)])
