@@ -214,7 +214,7 @@ def watch_over(order: Order, folder: Path) -> NoReturn:
     except (KeyboardInterrupt, Interrupted) as fault:
         # Each finished run was stored, so more changed than after other interruptions.
         status = getattr(fault, "status", INTERRUPTED)
-        stop(click.get_current_context(), "interrupted; the last finished run is kept", status)
+        stop("interrupted; the last finished run is kept", status)
 
 
 def say_if_quick(order: Order) -> None:

@@ -10,7 +10,7 @@ from typing import Any, NoReturn
 
 import click
 
-from grader.errors import GraderError, Interrupted, UsageError
+from grader.errors import GraderError, Interrupted, OutputFault, UsageError
 from grader.faults import noted
 from grader.report.escape import for_terminal
 
@@ -36,6 +36,9 @@ class GraderGroup(click.Group):
             return super().make_context(info_name, args, parent, **extra)
         except click.UsageError as fault:
             raise harmless(fault) from fault.__cause__
+        except OutputFault as fault:
+            # Help and version are printed here.
+            stop(str(fault), OUR_FAULT)
 
     def invoke(self, ctx: click.Context) -> Any:  # noqa: ANN401 - click's own signature
         """Run the command; turn what it raises into one sentence and a status."""
@@ -47,13 +50,15 @@ class GraderGroup(click.Group):
             raise
         except (KeyboardInterrupt, click.Abort, Interrupted) as fault:
             status = getattr(fault, "status", INTERRUPTED)
-            stop(ctx, "interrupted; no result was changed", status)
+            stop("interrupted; no result was changed", status)
         except UsageError as fault:
-            stop(ctx, str(fault), WRONG_USAGE)
+            stop(str(fault), WRONG_USAGE)
+        except OutputFault as fault:
+            stop(str(fault), OUR_FAULT)
         except GraderError as fault:
-            stop(ctx, f"{fault}\nNothing is concluded about the submission.", OUR_FAULT)
+            stop(f"{fault}\nNothing is concluded about the submission.", OUR_FAULT)
         except Exception as fault:  # noqa: BLE001 - the outermost place: it must not reach a student
-            stop(ctx, surprise(fault), OUR_FAULT)
+            stop(surprise(fault), OUR_FAULT)
 
 
 def harmless(fault: click.UsageError) -> click.UsageError:
@@ -63,11 +68,15 @@ def harmless(fault: click.UsageError) -> click.UsageError:
     return click.UsageError(for_terminal(fault.format_message()), fault.ctx)
 
 
-def stop(ctx: click.Context, sentence: str, status: int) -> NoReturn:
-    """Say why on standard error and leave."""
+def stop(sentence: str, status: int) -> NoReturn:
+    """Say why on standard error and leave.
+
+    Raises:
+        click.exceptions.Exit: Always, with the status.
+    """
     for line in for_terminal(sentence).splitlines():
         click.echo(f"bvhgrade: {line}", err=True)
-    ctx.exit(status)
+    raise click.exceptions.Exit(status)
 
 
 def tell_of(traceback: str) -> None:

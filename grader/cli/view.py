@@ -63,4 +63,4 @@ def view(submission: Path, web: bool, **given: Any) -> None:  # noqa: ANN401 - c
     with interruptible():
         trouble = opening(Wish(submission, options, scene, check, language), web, screenshot)
     if trouble:
-        stop(click.get_current_context(), f"{submission}: {trouble}", NOT_WHOLE)
+        stop(f"{submission}: {trouble}", NOT_WHOLE)
