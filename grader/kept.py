@@ -98,7 +98,7 @@ def write_result(folder: Path, result: Result, language: str, hints: bool = True
         except OSError as fault:
             raise OutputFault(f"{old} cannot be removed: {fault.strerror}") from fault
     if any(name.startswith(f"{FOLDER}/") for name in attached):
-        ready(folder / FOLDER)
+        ready(folder / FOLDER, remedy="remove what is there")
     for name, text in attached.items():
         write_whole(folder / name, text)
     write_whole(folder / RESULT, result.text)

@@ -136,7 +136,8 @@ def own_folder() -> Path:
     except UsageError:
         from grader.resources import cache_folder
 
-        return ready(cache_folder() / OUTPUT)
+        remedy = "call it in a folder that you may write, or set BVHGRADE_CACHE to one"
+        return ready(cache_folder() / OUTPUT, remedy=remedy)
 
 
 def graded(order: Order) -> Grade:

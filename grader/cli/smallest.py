@@ -31,7 +31,7 @@ def search(
     if not paths:
         raise UsageError(f"--match {match}: no wrong submission has such a name")
     if into:
-        ready(into)
+        ready(into, remedy="name another folder with --into")
     undecided, grader = [], grader_digest(WITHOUT_SIZES)
 
     def tell(name: str, found: "Sequence[Smallest] | None") -> None:
