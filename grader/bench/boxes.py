@@ -60,7 +60,11 @@ class Timer:
         return self._run(library, fill)
 
     def tree(self, library: Path) -> Bvh:
-        """Return the tree that a library builds."""
+        """Return the tree that a library builds.
+
+        Raises:
+            WorkerFault: It built none.
+        """
         job = Job()
         slot = give_mesh(job, self.mesh)
         _construct(job, slot, 1)

@@ -20,7 +20,11 @@ def search(
     into: Path | None,
     **_: Any,  # noqa: ANN401 - the other options
 ) -> bool:
-    """Search wrong submissions, store the sizes; True if one could not be graded."""
+    """Search wrong submissions, store the sizes; True if one could not be graded.
+
+    Raises:
+        UsageError: No wrong submission has such a name, or the inputs cannot be kept.
+    """
     from grader.certify.corpus import every_submission, name_of, wrong_submissions
     from grader.certify.ledger import Ledger, usual_ledger
     from grader.certify.smallest import searched, store_smallest

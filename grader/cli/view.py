@@ -50,10 +50,7 @@ def view(submission: Path, web: bool, **given: Any) -> None:  # noqa: ANN401 - c
     from grader.view.opening import Wish, opening
 
     scene, check, screenshot = (given[name] for name in ("scene", "check", "screenshot"))
-    if scene and check:
-        raise UsageError("--scene and --check both say what to begin with; give one of them")
-    if web and screenshot:
-        raise UsageError("--web and --screenshot both say where to show it; give one of them")
+    require_one(scene, check, web, screenshot)
     if check:
         named = read(Path(check)).check if check.endswith(".json") else check
         require_shown(given["rubric"], named, f"--check {check}")
@@ -64,3 +61,17 @@ def view(submission: Path, web: bool, **given: Any) -> None:  # noqa: ANN401 - c
         trouble = opening(Wish(submission, options, scene, check, language), web, screenshot)
     if trouble:
         stop(f"{submission}: {trouble}", NOT_WHOLE)
+
+
+def require_one(
+    scene: str | None, check: str | None, web: bool, screenshot: Path | None
+) -> None:
+    """Refuse two beginnings, and two places.
+
+    Raises:
+        UsageError: There are two.
+    """
+    if scene and check:
+        raise UsageError("--scene and --check both say what to begin with; give one of them")
+    if web and screenshot:
+        raise UsageError("--web and --screenshot both say where to show it; give one of them")

@@ -38,7 +38,7 @@ SMALLEST_ALTERED = 5
 
 
 def cut_mesh(mesh: Mesh, faces: Integers) -> Mesh:
-    """Keep some faces, and the vertices that they use."""
+    """Keep some faces, (K,) int64, and the vertices that they use."""
     used, place = np.unique(mesh.faces[faces], return_inverse=True)
     return Mesh(mesh.vertices[used], place.reshape(-1, 3).astype(np.uint32))
 
@@ -54,12 +54,15 @@ def mesh_name(trial: Trial) -> str:
 
 
 def cut_construct(trial: ConstructTrial, subsets: Sequence[Integers]) -> list[ConstructTrial]:
-    """Keep some faces of a trial of part a, once for each subset."""
+    """Keep some faces of a trial of part a, once for each subset, (K,) int64."""
     return [replace(trial, mesh=cut_mesh(trial.mesh, faces)) for faces in subsets]
 
 
 def cut_faces(trial: Tracing, subsets: Sequence[Integers], trees: Trees) -> list[Tracing]:
-    """Keep some faces of a trial of part b, once for each subset; subsets may be left out."""
+    """Keep some faces of a trial of part b, once for each subset, (K,) int64.
+
+    Subsets of too few faces for the trial are left out.
+    """
     least = SMALLEST_ALTERED if isinstance(trial, AlteredTrial) else 1
     subsets = [one for one in subsets if one.size >= least]
     meshes = [cut_mesh(trial.mesh, faces) for faces in subsets]
@@ -84,7 +87,7 @@ def _moved(trial: Tracing, mesh: Mesh, tree: Bvh) -> Sequence[Tracing]:
 
 
 def cut_rays(trial: TracingT, rays: Integers) -> TracingT:
-    """Keep some rays."""
+    """Keep some rays, (K,) int64."""
     kept = chosen(trial.rays, rays)
     if isinstance(trial, WorkTrial):
         boxes, triangles = plain_costs(trial.tree, kept)
@@ -99,7 +102,7 @@ def cut_rays(trial: TracingT, rays: Integers) -> TracingT:
 
 
 def cut_case(case: HitCase | ImageCase, rays: Integers) -> HitCase | ImageCase:
-    """Keep some rays of what was delivered, without asking again."""
+    """Keep some rays, (K,) int64, of what was delivered, without asking again."""
     hits = Hits(case.hits.point[rays], case.hits.t[rays], case.hits.normal[rays])
     if isinstance(case, ImageCase):
         tests = case.tests[rays]
@@ -108,7 +111,7 @@ def cut_case(case: HitCase | ImageCase, rays: Integers) -> HitCase | ImageCase:
 
 
 def cut_rebuild(trial: RebuildTrial, first: Integers, second: Integers) -> RebuildTrial:
-    """Keep some faces of both meshes."""
+    """Keep some faces of both meshes, (K,) int64 each."""
     a, b = cut_mesh(trial.first, first), cut_mesh(trial.second, second)
     return replace(trial, first=a, second=b)
 
@@ -116,7 +119,7 @@ def cut_rebuild(trial: RebuildTrial, first: Integers, second: Integers) -> Rebui
 def cut_repeat(
     trial: RepeatTrial, faces: tuple[Integers, Integers], rays: Integers, trees: Trees
 ) -> RepeatTrial:
-    """Keep some faces of both meshes and some rays."""
+    """Keep some faces of both meshes and some rays, (K,) int64 each."""
     mesh, other = cut_mesh(trial.mesh, faces[0]), cut_mesh(trial.other_mesh, faces[1])
     tree, other_tree = trees([mesh, other])
     kept = chosen(trial.rays, rays)

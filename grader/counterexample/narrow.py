@@ -192,7 +192,7 @@ def smaller_pairs(
 
 
 def on_the_ray(trial: Tracing) -> Integers:
-    """Faces that a single ray meets, from front to back; none if there are more rays."""
+    """(K,) int64, faces that a single ray meets, from front to back; none of several rays."""
     if len(trial.rays.t_min) != 1:
         return np.zeros(0, np.int64)
     found = candidates(trial.mesh, trial.rays, balanced_tree(trial.mesh))

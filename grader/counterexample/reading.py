@@ -102,7 +102,11 @@ def read(path: Path) -> Content:
 
 
 def once(pairs: Sequence[tuple[str, Any]]) -> Json:
-    """Make an object whose keys are all different."""
+    """Make an object whose keys are all different.
+
+    Raises:
+        ValueError: Two are the same.
+    """
     made = dict(pairs)
     if len(made) != len(pairs):
         raise ValueError("a key stands twice")
@@ -110,12 +114,20 @@ def once(pairs: Sequence[tuple[str, Any]]) -> Json:
 
 
 def constant(name: str) -> NoReturn:
-    """Refuse NaN and Infinity, which JSON does not have."""
+    """Refuse NaN and Infinity, which JSON does not have.
+
+    Raises:
+        ValueError: Always.
+    """
     raise ValueError(name)
 
 
 def refuse(place: str, wanted: str) -> NoReturn:
-    """Say what is wrong where."""
+    """Say what is wrong where.
+
+    Raises:
+        UsageError: Always.
+    """
     raise UsageError(f"{place} must be {wanted}")
 
 

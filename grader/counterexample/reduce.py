@@ -38,8 +38,11 @@ def reduced(
         fails: Tries subsets, each ascending.
         most: Subsets that are tried in a round.
         rounds: How often subsets may be tried.
-        first: Items that probably matter, the most important first; the first round draws
-            subsets that hold them.
+        first: (K,) int64, items that probably matter, the most important first; the first
+            round draws subsets that hold them.
+
+    Returns:
+        (K,) int64, ascending.
     """
     lead = np.zeros(0, np.int64) if first is None else first
     waiting: Iterator[Integers] = chain(drawn(items, lead), divided(items))
@@ -55,7 +58,10 @@ def reduced(
 
 
 def drawn(items: Integers, lead: Integers) -> Iterator[Integers]:
-    """Propose subsets of many sizes: the leading items, then others at random."""
+    """Propose subsets of many sizes: the leading items, then others at random.
+
+    Items, leading ones and each subset are (K,) int64; subsets are ascending.
+    """
     rng = np.random.default_rng([items.size, lead.size])
     for _ in range(SHUFFLES):
         rest = rng.permutation(items[~np.isin(items, lead)])
@@ -64,7 +70,10 @@ def drawn(items: Integers, lead: Integers) -> Iterator[Integers]:
 
 
 def divided(items: Integers) -> Iterator[Integers]:
-    """Propose the parts of finer and finer divisions, and what is left without each part."""
+    """Propose the parts of finer and finer divisions, and what is left without each part.
+
+    Items and each part are (K,) int64, ascending.
+    """
     parts = 2
     while parts < 2 * items.size:
         pieces = np.array_split(items, min(parts, items.size))

@@ -81,7 +81,7 @@ def with_ray(
 
 
 def boxes(tree: Bvh) -> tuple[Floats, Floats]:
-    """Return corners of a tree's first nodes, (N, 3) each, NaN in empty slots."""
+    """Return corners of a tree's first nodes, (K, 3) float32 each, NaN in empty slots."""
     count = min(len(tree.end), MOST_BOXES)
     used = (tree.end[:count] != 0)[:, None]
     nothing = np.float32(np.nan)
@@ -112,7 +112,7 @@ def right_box(mesh: Mesh, tree: Bvh, node: int) -> tuple[float, ...]:
 
 
 def faces_of(mesh: Mesh, tree: Bvh, node: int) -> Integers:
-    """Return the faces in a node's range; none of a node that does not exist."""
+    """Return (K,) int64, the faces in a node's range; none of a node that does not exist."""
     if not 0 <= node < len(tree.end):
         return np.zeros(0, np.int64)
     held = tree.order[tree.begin[node] : tree.end[node]]

@@ -22,6 +22,8 @@ class Halves(FrozenArrays):
     """The splits of one tree and what a right one looks like."""
 
     node: Integers
+    """(K,) int64, index of the node that is split."""
+
     axis: Integers
     """(K,) int64, the axis of the split: one that explains it, else the longest."""
 
@@ -77,7 +79,7 @@ def _gaps(
 
 
 def room(key: Doubles) -> float:
-    """How far two roundings of a key may differ."""
+    """How far two roundings of a key, (F, 3) float64, may differ."""
     return float(SPLIT_ULPS * np.spacing(np.float32(np.abs(key).max(initial=0))))
 
 

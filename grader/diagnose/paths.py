@@ -141,5 +141,11 @@ def reached(bvh: Bvh, lets_pass: Mask) -> Mask:
 
 
 def through_leaves(bvh: Bvh, through: Mask, met: Met) -> Met:
-    """Leave out hits on faces whose leaf a ray does not come to."""
+    """Leave out hits on faces whose leaf a ray does not come to.
+
+    Args:
+        bvh: A right tree.
+        through: (S, N) bool, True where a ray comes to a node.
+        met: The hits.
+    """
     return met.only(through[met.ray, leaves(bvh).leaf[met.face]])

@@ -18,7 +18,13 @@ def corners(mesh: Mesh) -> Doubles:
 
 
 def extremes(rows: Doubles, begin: Integers, end: Integers) -> tuple[Doubles, Doubles]:
-    """(K, ...) smallest and largest of `rows[begin[k]:end[k]]`; infinite where it is empty."""
+    """(K, ...) float64, smallest and largest of `rows[begin[k]:end[k]]`; infinite without any.
+
+    Args:
+        rows: (F, ...) float64.
+        begin: (K,) int64.
+        end: (K,) int64.
+    """
     shape = (len(begin), *rows.shape[1:])
     low, high = np.full(shape, np.inf), np.full(shape, -np.inf)
     some = np.flatnonzero(begin < end)

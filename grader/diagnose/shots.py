@@ -32,8 +32,12 @@ class Shots(FrozenArrays):
 
     origin: Doubles
     direction: Doubles
+    """(S, 3) float64 each, world space."""
+
     t_min: Doubles
     t_max: Doubles
+    """(S,) float64 each, in multiples of the direction's length."""
+
     t: Doubles
     """(S, F) float64, where a ray meets the plane of a face; infinite where it is parallel."""
 
@@ -66,10 +70,13 @@ class Met(FrozenArrays):
     """(H,) int64, which shot."""
 
     face: Integers
+    """(H,) int64, which face."""
+
     t: Doubles
+    """(H,) float64, where on the ray."""
 
     def only(self, kept: Mask) -> "Met":
-        """Leave out hits."""
+        """Leave out hits where `kept`, (H,) bool, is False."""
         return Met(self.shots, self.ray[kept], self.face[kept], self.t[kept])
 
     def closest(self) -> Doubles:

@@ -142,7 +142,11 @@ def called(header: Sequence[str], pattern: str) -> list[int]:
 def id_columns(
     header: Sequence[str], words: Words, asked: str, grade: int
 ) -> tuple[tuple[str, tuple[int, ...]], ...]:
-    """Find the columns that say who a row is."""
+    """Find the columns that say who a row is.
+
+    Raises:
+        UsageError: There is none, or not the one that was asked for.
+    """
     if asked:
         column = named(header, asked)
         return tuple((field, (column,)) for field in fields_in(column, header, words))
@@ -167,7 +171,11 @@ def fields_in(column: int, header: Sequence[str], words: Words) -> list[str]:
 
 
 def grade_column(header: Sequence[str], words: Words, asked: str) -> int:
-    """Find the one column that the points go into."""
+    """Find the one column that the points go into.
+
+    Raises:
+        UsageError: There is none, there are several, or not the one that was asked for.
+    """
     if asked:
         return named(header, asked)
     own = called(header, words.never)
@@ -182,7 +190,11 @@ def grade_column(header: Sequence[str], words: Words, asked: str) -> int:
 
 
 def feedback_column(header: Sequence[str], words: Words, asked: str, grade: int) -> int | None:
-    """Find the column for words: of several, the one that belongs to the grade's."""
+    """Find the column for words: of several, the one that belongs to the grade's.
+
+    Raises:
+        UsageError: The one that was asked for is not there.
+    """
     if asked:
         return named(header, asked)
     found = called(header, words.feedback)

@@ -68,7 +68,11 @@ def download(host: str) -> str:
 
 
 def moodle(given: Sequence[Marked], words: Words) -> list[str]:
-    """Write a file for Moodle's gradebook: who, points, feedback, and always all three."""
+    """Write a file for Moodle's gradebook: who, points, feedback, and always all three.
+
+    Raises:
+        UsageError: Some are known by an address and others are not.
+    """
     accounts = [account(marked.ids) for marked in given]
     addresses = ["@" in each for each in accounts]
     if any(addresses) and not all(addresses):

@@ -88,7 +88,14 @@ def columns_of(text: str, delimiter: str) -> int:
 
 
 def decoded(data: bytes) -> tuple[bytes, str, str]:
-    """Find the encoding of a file: what its mark says, else UTF-8, else that of old Windows."""
+    """Find the encoding of a file: what its mark says, else UTF-8, else that of old Windows.
+
+    Returns:
+        The mark, the name of the encoding, and the text behind the mark.
+
+    Raises:
+        UsageError: It is a spreadsheet's own format, no text, or empty.
+    """
     if data.startswith(b"PK\x03\x04"):
         raise UsageError("this is a spreadsheet's own format, but CSV is read here: save it so")
     mark, known = next(((m, e) for m, e in MARKS if data.startswith(m)), (b"", ""))

@@ -65,7 +65,16 @@ def opened() -> ctypes.CDLL:
 def scene_of(
     embree: ctypes.CDLL, vertices: npt.NDArray[np.float32], faces: npt.NDArray[np.uint32]
 ) -> tuple[int, float]:
-    """Build a scene of medium quality, robust; also return the CPU seconds that it took."""
+    """Build a scene of medium quality, robust.
+
+    Args:
+        embree: The library.
+        vertices: (V, 3) float32.
+        faces: (F, 3) uint32, vertex indices.
+
+    Returns:
+        Its address, and the CPU seconds that it took.
+    """
     device = embree.rtcNewDevice(b"threads=1")
     v = np.zeros((len(vertices) + 1, 3), np.float32)  # one to spare, as it asks for
     v[:-1] = vertices
@@ -97,7 +106,7 @@ _kept: list[npt.NDArray[np.generic]] = []
 def trace(
     loop: ctypes.CDLL, embree: ctypes.CDLL, scene: int, rays: npt.NDArray[np.float32]
 ) -> tuple[float, float]:
-    """Trace (R, 8) rays one by one; return CPU seconds, and the share that hits."""
+    """Trace (R, 8) float32 rays one by one; return CPU seconds, and the share that hits."""
     room = np.zeros(len(rays) * RAY_WORDS + 4, np.float32)
     shift = -room.ctypes.data % 16 // 4
     table = room[shift : shift + len(rays) * RAY_WORDS].reshape(-1, RAY_WORDS)
