@@ -1,5 +1,6 @@
 """The command `view`: a submission's tree and rays, looked at from any side."""
 
+from contextlib import nullcontext
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +14,7 @@ from grader.cli.options import (
     submission_type,
     unsafe_option,
 )
-from grader.cli.progress import silent
+from grader.cli.progress import shown, silent
 from grader.cli.replaying import require_shown
 from grader.cli.status import stop
 from grader.errors import UsageError
@@ -57,7 +58,9 @@ def view(submission: Path, web: bool, **given: Any) -> None:  # noqa: ANN401 - c
     isolated = not given["unsafe_no_isolation"]
     options = Options(SEED, given["rubric"], (), silent, isolated=isolated, for_student=True)
     language = given["language"] or usual_language()
-    with interruptible():
+    # A window and a page show by themselves that something goes on.
+    waiting = shown("drawing the picture") if screenshot else nullcontext()
+    with interruptible(), waiting:
         trouble = opening(Wish(submission, options, scene, check, language), web, screenshot)
     if trouble:
         stop(f"{submission}: {trouble}", NOT_WHOLE)
