@@ -58,6 +58,12 @@ def test_no_report_holds_a_traceback(written: Callable[[Grade], str]) -> None:
         assert secret not in text
 
 
+def test_a_page_tells_it_in_german() -> None:
+    """With the kind of fault as it is."""
+    text = to_html(to_json(broken_grade()), None, "de")
+    assert "Hier ist die Bewertung selbst gescheitert (KeyError)" in text
+
+
 def test_a_grade_brings_the_traceback_along() -> None:
     """Of each check that broke once, with where that was; `kept` hands it on."""
     grade = broken_grade()
