@@ -65,8 +65,8 @@ def graded(order: Order, tell: Callable[[str], None]) -> Result | Failed:
     if text == "stumble":
         return Failed(failed_here(KeyError(TRACEBACK)), TRACEBACK)
     if text == "broken":
-        given = replace(samples.broken(), submission=order.submission, traceback=TRACEBACK)
-        return kept(given)
+        withheld = replace(samples.broken(), submission=order.submission)
+        return kept(replace(withheld, traceback=TRACEBACK))
     if text == "raise":
         return Failed("no more [bold]file descriptors")
     while text == "wait" or (text == "wait once" and text not in before):
