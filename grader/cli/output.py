@@ -42,8 +42,8 @@ class Outlet(FileIO):
             # What is left in buffers would fail again when Python ends.
             lead_nowhere(self.fileno())
             raise OutputFault(
-                f"standard output cannot be written: {fault.strerror}; lead it where there is "
-                "room. What was written into other files is there."
+                f"standard output cannot be written: {fault.strerror}; redirect it to where "
+                "there is room. What was written into other files is there."
             ) from fault
 
 

@@ -5,11 +5,13 @@ own fault; 130 interrupted, 143 terminated. No traceback is ever shown: it is ke
 which is named.
 """
 
+import sys
 import traceback
 from typing import Any, NoReturn
 
 import click
 
+from grader.cli.output import lead_nowhere
 from grader.errors import GraderError, Interrupted, OutputFault, UsageError
 from grader.faults import noted
 from grader.report.escape import for_terminal
@@ -74,8 +76,12 @@ def stop(sentence: str, status: int) -> NoReturn:
     Raises:
         click.exceptions.Exit: Always, with the status.
     """
-    for line in for_terminal(sentence).splitlines():
-        click.echo(f"bvhgrade: {line}", err=True)
+    try:
+        for line in for_terminal(sentence).splitlines():
+            click.echo(f"bvhgrade: {line}", err=True)
+    except OSError:
+        # Nothing can be said any more, but the status says it.
+        lead_nowhere(sys.stderr.fileno())
     raise click.exceptions.Exit(status)
 
 

@@ -130,6 +130,22 @@ def test_a_full_standard_output_is_said_to_be_full(here: Path, words: list[str])
     assert (here / "bvhgrade-out" / RESULT).is_file() == (words[0] == "grade")
 
 
+def test_the_status_says_it_where_nothing_else_can(here: Path) -> None:
+    """Not 1, which would mean that points are lost."""
+    with Path("/dev/full").open("wb") as full:
+        words = stand_in("perfect", "check", FILE)
+        ended = subprocess.run(
+            words,
+            cwd=here,
+            env=environment(),
+            stdout=full,
+            stderr=full,
+            check=False,
+            timeout=60,
+        )
+    assert ended.returncode == 3
+
+
 def test_a_reader_of_a_schema_may_go_away(here: Path) -> None:
     """Nothing is said, and nothing is kept for a maintainer."""
     read, write = os.pipe()
