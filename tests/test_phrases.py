@@ -44,7 +44,7 @@ NO_MESSAGE = re.compile(
     # What the caller or the machine did is no reason to refuse a file.
     r"|is expected$|it was there a moment ago|in it: |does not get through|does not compile: "
     r"|it stood in line for a processor"
-    r"|^compiling stood in line|^model name$|cannot be removed: "
+    r"|^remove what is there$|^compiling stood in line|^model name$|cannot be removed: "
     r"|^\{\}\.py$|^t = inf$|facesBegin|^replaced leaves$|^shrunk boxes$|^special rays$"
 )
 """Patterns of what others write, names, and what is the same in both languages."""
