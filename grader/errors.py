@@ -46,6 +46,15 @@ class Interrupted(GraderError):
     """The grader was asked to stop while it worked; nothing is concluded."""
 
 
+FAILED_HERE = "The grader itself failed here{kind}; it costs no points."
+"""What people read where a fault of ours leaves something undecided."""
+
+
+def failed_here(fault: Exception) -> str:
+    """Word a fault that nobody foresaw by its kind alone: its text may name our files."""
+    return FAILED_HERE.format(kind=f" ({type(fault).__name__})")
+
+
 STRICT = False
 """Tests turn it on, so that no guard hides a fault of ours from them."""
 

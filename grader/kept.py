@@ -27,6 +27,9 @@ class Result:
     attachments: tuple[tuple[str, str], ...]
     """Name and text of each further file, relative to `result.json`."""
 
+    traceback: str = ""
+    """Of checks of ours that broke, for a maintainer; in no file of the result."""
+
 
 def kept(grade: Grade) -> Result:
     """Write down all that is known of a grade; pages are made from this, at any time."""
@@ -42,7 +45,7 @@ def kept(grade: Grade) -> Result:
                 grade = _without_example(grade, score.check)
     if grade.views is not None:
         grade = _attached(grade, files, VIEWS, partial(views_text, grade.views))
-    return Result(to_text(grade), tuple(files.items()))
+    return Result(to_text(grade), tuple(files.items()), grade.traceback)
 
 
 def _attached(
@@ -95,7 +98,7 @@ def write_result(folder: Path, result: Result, language: str, hints: bool = True
         except OSError as fault:
             raise OutputFault(f"{old} cannot be removed: {fault.strerror}") from fault
     if any(name.startswith(f"{FOLDER}/") for name in attached):
-        ready(folder / FOLDER)
+        ready(folder / FOLDER, remedy="remove what is there")
     for name, text in attached.items():
         write_whole(folder / name, text)
     write_whole(folder / RESULT, result.text)

@@ -25,13 +25,19 @@ STUDENT = "student.json"
 """Whose folder it is, where a whole class was graded."""
 
 
-def ready(folder: Path, name: str = RESULT, submission: Path | None = None) -> Path:
+def ready(
+    folder: Path,
+    name: str = RESULT,
+    submission: Path | None = None,
+    remedy: str = "name another folder with -o",
+) -> Path:
     """Create an output folder and prove that a result can be written into it.
 
     Args:
         folder: Where the result goes.
         name: Of the file that will be written.
         submission: What is graded, if the folder may lie within it or beside it.
+        remedy: What whoever typed the command can do.
 
     Raises:
         UsageError: It cannot be, so grading need not start.
@@ -46,9 +52,7 @@ def ready(folder: Path, name: str = RESULT, submission: Path | None = None) -> P
         trial.unlink()
     except OSError as fault:
         reason = fault.strerror or "it cannot be written"
-        raise UsageError(
-            f"{folder}: {reason}, but the result goes there; name another folder with -o."
-        ) from fault
+        raise UsageError(f"{folder}: {reason}, but the result goes there; {remedy}.") from fault
     return folder
 
 
@@ -71,13 +75,17 @@ def refuse_link(folder: Path, submission: Path | None = None) -> None:
         if part.is_symlink():
             raise UsageError(
                 f"{part} is a link, which a submission could have brought, and nothing is "
-                "written through it; name the folder that it leads to with -o, or remove it."
+                "written through it; remove it, or choose the folder that it leads to."
             )
 
 
 def write_whole(path: Path, text: str) -> None:
-    """Write a file of text so that a reader sees the old one or the new one, never a part."""
-    write_bytes_whole(path, text.encode("utf-8"), "grade again into another folder")
+    """Write a file of text so that a reader sees the old one or the new one, never a part.
+
+    Raises:
+        OutputFault: It could not be written; what was there before is untouched.
+    """
+    write_bytes_whole(path, text.encode("utf-8"), "call again when it can be")
 
 
 def write_bytes_whole(path: Path, data: bytes, remedy: str) -> None:

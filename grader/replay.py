@@ -11,6 +11,7 @@ from grader.counterexample.reading import read
 from grader.counterexample.revived import trial_of
 from grader.counterexample.search import model_passes
 from grader.errors import GraderError, UsageError
+from grader.faults import noted
 from grader.model.cases import MemoryCase, SurvivalCase
 from grader.model.counterexample import Replay
 from grader.model.trials import Trial
@@ -72,9 +73,7 @@ def _judged(check: Check, probe: Probe, trial: Trial) -> Replay:
     first = {one.verdict: one for one in reversed(findings)}
     failed = first.get(Verdict.FAIL)
     if not failed and (broken := first.get(Verdict.BROKEN)):
-        last = broken.reason.strip().rpartition("\n")[2]
-        message = f"{check.id} itself failed on this input: {last}"
-        raise GraderError(message)
+        raise GraderError(f"{check.id}: {broken.reason}\n{noted(broken.traceback)}")
     if not failed and Verdict.PASS in first:
         return Replay(check.id, check.title, None)
     solution = Solution()

@@ -190,6 +190,14 @@ class Summary:
             needs_review=total is None,
             provenance=self._provenance(build),
             timing=self.timing(build),
+            traceback=self._traceback(),
+        )
+
+    def _traceback(self) -> str:
+        """Put together how each check broke in the first case where it did."""
+        broken = {one.check: one for one in reversed(self._findings) if one.traceback}
+        return "\n".join(
+            f"{one.check} in {one.case}:\n{one.traceback}" for one in broken.values()
         )
 
     def _causes(self, scores: Sequence[CheckScore]) -> dict[str, Cause]:

@@ -6,6 +6,7 @@ import tomllib
 from collections.abc import Collection, Iterator
 
 from grader.diagnose import every_hypothesis
+from grader.errors import FAILED_HERE
 from grader.model.verdict import Verdict
 from grader.report.facts import BEGIN, NOT_STARTED
 from grader.report.hints import LABELS, told
@@ -27,7 +28,14 @@ LABELLED = {"beside", "command"}
 
 def messages() -> list[str]:
     """List each text once, in a fixed order."""
-    texts = [NOT_STARTED, BEGIN, *LABELS, "example", *(verdict.value for verdict in Verdict)]
+    texts = [
+        NOT_STARTED,
+        BEGIN,
+        FAILED_HERE,
+        *LABELS,
+        "example",
+        *(verdict.value for verdict in Verdict),
+    ]
     texts += written_in_code()
     texts += written_in_templates()
     texts += [each.title for each in every_check()]

@@ -44,7 +44,7 @@ NO_MESSAGE = re.compile(
     # What the caller or the machine did is no reason to refuse a file.
     r"|is expected$|it was there a moment ago|in it: |does not get through|does not compile: "
     r"|it stood in line for a processor"
-    r"|^compiling stood in line|^model name$|cannot be removed: "
+    r"|^remove what is there$|^compiling stood in line|^model name$|cannot be removed: "
     r"|^\{\}\.py$|^t = inf$|facesBegin|^replaced leaves$|^shrunk boxes$|^special rays$"
 )
 """Patterns of what others write, names, and what is the same in both languages."""
@@ -215,6 +215,11 @@ def test_why_a_file_is_refused_is_told_in_german(name: str) -> None:
             "with sanitizers it does not compile, so memory is not safe: line 3: no hit",
             "mit Sanitizern lässt sich die Datei nicht übersetzen, also gilt der Umgang mit "
             "Speicher nicht als sicher: Zeile 3: no hit",
+        ),
+        (
+            "`cube`: The grader itself failed here (KeyError); it costs no points.",
+            "`cube`: Hier ist die Bewertung selbst gescheitert (KeyError); das kostet keine "
+            "Punkte.",
         ),
         (
             "views.json is missing, which is our own fault (KeyError) and costs no point",

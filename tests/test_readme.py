@@ -185,6 +185,22 @@ def test_the_changelog_has_the_section_on_grades() -> None:
     assert len(re.findall(r"^### Changes to grades$", text, re.MULTILINE)) == len(versions) > 0
 
 
+def test_each_change_to_grades_names_a_file_that_shows_it() -> None:
+    """And the file is there; `wrong/` where no folder is named."""
+    text = (ROOT / "CHANGELOG.md").read_text()
+    section = text.split("### Changes to grades\n")[1].split("\n### ")[0]
+    entries = section.strip().removeprefix("- ").split("\n- ")
+    for entry in entries:
+        names = re.findall(r"`((?:[a-z0-9_-]+/)*[a-z0-9_-]+\.(?:cpp|py))`", entry)
+        shown = [name for name in names if name != "exercise03.cpp"]
+        assert shown, entry
+        for name in shown:
+            place = name if name.startswith("tests/") else f"tests/submissions/{name}"
+            folder, _, file = place.rpartition("/")
+            wrong = folder == "tests/submissions"
+            assert (ROOT / folder / ("wrong" if wrong else "") / file).is_file(), name
+
+
 def run(command: list[str], folder: Path) -> subprocess.CompletedProcess[str]:
     """Run a script of the checkout from somewhere else."""
     return subprocess.run(

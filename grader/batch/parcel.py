@@ -101,12 +101,14 @@ def unpack_files(own: bytes, folder: Path) -> Path | None:
 def packed_answer(news: Done | Gone) -> bytes:
     """Write down what became of an order."""
     if isinstance(news, Gone):
-        return json.dumps({"schema": 1, "gone": news.why}).encode()
+        return json.dumps({"schema": 1, "gone": news.why, "said": news.said}).encode()
     answer = news.result
     if isinstance(answer, Result):
         told: Any = {"text": answer.text, "attachments": answer.attachments}
     else:
         told = {"refused" if isinstance(answer, Refused) else "failed": answer.why}
+    if not isinstance(answer, Refused):
+        told["traceback"] = answer.traceback
     return json.dumps({"schema": 1, **told}).encode()
 
 
@@ -117,10 +119,12 @@ def read_answer(answer: object, ticket: int, order: Order) -> Done | Gone:
     try:
         told = parsed_json(answer, "what came back", 1)
         if "gone" in told:
-            return Gone(ticket, as_name(str(told["gone"])))
-        for name, kind in (("failed", Failed), ("refused", Refused)):
-            if name in told:
-                return Done(ticket, kind(str(told[name])))
+            return Gone(ticket, as_name(str(told["gone"])), str(told.get("said", "")))
+        if "failed" in told:
+            failed = Failed(str(told["failed"]), str(told.get("traceback", "")))
+            return Done(ticket, failed)
+        if "refused" in told:
+            return Done(ticket, Refused(str(told["refused"])))
         return Done(ticket, _result(told, order))
     except UsageError as fault:
         return Gone(ticket, str(fault))
@@ -147,7 +151,7 @@ def _result(told: dict[str, Any], order: Order) -> Result:
                 raise UsageError("a file came back that no result has")
     if VIEWS in files:
         parsed_json(files[VIEWS].encode(), f"{VIEWS} that came back", 1)
-    return Result(text, tuple(files.items()))
+    return Result(text, tuple(files.items()), str(told.get("traceback", "")))
 
 
 def _require_ours(result: dict[str, Any], order: Order) -> None:

@@ -20,6 +20,7 @@ from grader.batch.store import Store
 from grader.batch.table import Totals, write_table
 from grader.batch.work import Failed, Order, Refused
 from grader.errors import GraderError, MissingTool, OutputFault, WorkerFault
+from grader.faults import noted
 from grader.intake.handed_in import handed_in
 from grader.model.stages import Rejected
 from grader.plain import as_name
@@ -150,7 +151,7 @@ class Batch:
         elif isinstance(news, Gone):
             self._gone(news)
         elif isinstance(news.result, Failed):
-            self._failed(news.ticket, news.result.why)
+            self._failed(news.ticket, news.result.why, news.result.traceback)
         elif isinstance(news.result, Refused):
             raise WorkerFault(news.result.why)
         else:
@@ -160,7 +161,7 @@ class Batch:
         if self.attempts[news.ticket] < ATTEMPTS:
             self.again.append(news.ticket)
             return
-        self._failed(news.ticket, f"it was tried {ATTEMPTS} times: {news.why}")
+        self._failed(news.ticket, f"it was tried {ATTEMPTS} times: {news.why}", news.said)
 
     def _done(self, news: Done) -> None:
         student = self._leave(news.ticket)
@@ -174,14 +175,16 @@ class Batch:
             return
         result = json.loads(news.result.text)
         self.watch.finished(student, result["score"], result["max_score"])
+        if traceback := news.result.traceback:
+            self._trouble(f"{student.told}: {_placed('checks of ours failed', traceback)}")
         if not self.job.preview:
             self._write(self.store.same(sha256))
 
-    def _failed(self, ticket: int, why: str) -> None:
+    def _failed(self, ticket: int, why: str, traceback: str = "") -> None:
         """Write down that it was us; the points are withheld."""
         student = self._leave(ticket)
         self.watch.finished(student, None, 0)
-        self._trouble(f"{student.told}: {why}")
+        self._trouble(f"{student.told}: {_placed(why, traceback)}")
         if self.job.preview:
             return
         try:
@@ -222,6 +225,11 @@ class Batch:
     def _trouble(self, sentence: str) -> None:
         self.troubles += 1
         self.watch.trouble(sentence)
+
+
+def _placed(why: str, traceback: str) -> str:
+    """Say why, and where a maintainer finds the traceback, if there is one."""
+    return f"{why.removesuffix('.')}. {noted(traceback)}" if traceback else why
 
 
 def _read(place: Place, class_: Arrangement, limit: int) -> tuple[Student, bytes]:

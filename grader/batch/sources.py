@@ -87,7 +87,11 @@ class ClassFolder:
         return sorted(found, key=lambda item: item.name)
 
     def entries(self, name: str) -> Iterator[Entry]:
-        """List everything in one item; a folder of it that cannot be read is a fault of all."""
+        """List everything in one item; a folder of it that cannot be read is a fault of all.
+
+        Raises:
+            OSError: A folder in it cannot be read.
+        """
         handle = opened(self.folder / name)
         if isinstance(handle, Fault):
             yield Entry(name, partial(_always, handle))

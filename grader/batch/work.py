@@ -8,16 +8,12 @@ from functools import cache
 from typing import Any
 
 from grader.batch.settings import Settings, Wish, settled
-from grader.errors import GraderError
+from grader.errors import GraderError, failed_here
 from grader.kept import Result, kept
 from grader.model.stages import Rejected, Submission
 from grader.pipeline import grade_located
-from grader.plain import printable
 
 ENTRY = "grader.batch.work:graded"
-
-LONGEST_FAULT = 4000
-"""Characters of a traceback that are kept."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,6 +31,8 @@ class Failed:
     """We failed to grade it; nothing is known of the submission."""
 
     why: str
+    traceback: str = ""
+    """Of a fault that nobody foresaw, for a maintainer."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,7 +65,7 @@ def graded(order: Order, tell: Callable[[str], None]) -> Result | Failed | Refus
     except GraderError as fault:
         return Failed(str(fault))
     except Exception as fault:  # noqa: BLE001 - one submission must not end the class
-        return Failed(printable("".join(traceback.format_exception(fault)), LONGEST_FAULT))
+        return Failed(failed_here(fault), "".join(traceback.format_exception(fault)))
     if other := unlike(json.loads(result.text), order.settings):
         return Refused(
             f"{', '.join(other)}: not what the class was begun with, so a file of the rubric "

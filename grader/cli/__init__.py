@@ -13,6 +13,7 @@ from grader.cli.certify import certify
 from grader.cli.export import export
 from grader.cli.grading import check, grade
 from grader.cli.installation import doctor, schema
+from grader.cli.output import require_outlet
 from grader.cli.package import package
 from grader.cli.reporting import report
 from grader.cli.scenes import scenes
@@ -38,10 +39,9 @@ for command in COMMANDS:
 
 def main() -> None:
     """Run the command line and leave with the exit status that the contract names."""
-    for stream in (sys.stdout, sys.stderr):
-        if isinstance(stream, TextIOWrapper):
-            # A pipe of another age gets a code for what its encoding lacks.
-            stream.reconfigure(errors="backslashreplace")
+    if isinstance(sys.stderr, TextIOWrapper):
+        sys.stderr.reconfigure(errors="backslashreplace")
+    require_outlet()
     try:
         cli(prog_name="bvhgrade")
     except KeyboardInterrupt:

@@ -69,8 +69,7 @@ def certify(
 
     Exit status: 0 nothing speaks against the grader, 1 there is a hole or a difference.
     """
-    if given["into"] and not given["counterexamples"]:
-        raise UsageError("--into keeps what --counterexamples finds; give that as well")
+    require_inputs(given["into"], given["counterexamples"])
     if given["mutants"]:
         from grader.cli.mutants import study
 
@@ -85,6 +84,16 @@ def certify(
         raise Exit(LOST_POINTS if undecided else FULL_MARKS)
     against = judged(match, stored, sample, given)
     raise Exit(LOST_POINTS if against else FULL_MARKS)
+
+
+def require_inputs(into: Path | None, counterexamples: bool) -> None:
+    """Refuse a folder for inputs that nobody looks for.
+
+    Raises:
+        UsageError: One was named.
+    """
+    if into and not counterexamples:
+        raise UsageError("--into keeps what --counterexamples finds; give that as well")
 
 
 def judged(match: str, stored: bool, sample: bool, given: Mapping[str, Any]) -> bool:

@@ -9,6 +9,7 @@ import click
 from click.exceptions import Exit
 
 from grader.cli.options import language_option
+from grader.cli.progress import shown
 from grader.cli.status import FULL_MARKS, LOST_POINTS
 from grader.errors import UsageError
 from grader.language import translator, usual_language
@@ -50,7 +51,8 @@ def export(host: str, folder: Path, output: Path | None, **given: Any) -> None: 
     Exit status: 0 every result is in the file, 1 some are not, 2 nothing was written.
     """
     sheet: Path | None = given["worksheet"]
-    table = exported(host, folder, sheet, given)
+    with shown("reading the results"):
+        table = exported(host, folder, sheet, given)
     target = output or sheet or Path("grades.csv")
     write_bytes_whole(target.resolve(), table.data, "name another file with -o")
     tell(table, target)

@@ -23,7 +23,7 @@ from grader.cli.order import Order, call_of, is_whole, ordered, repetition
 from grader.cli.output import patient_stdout
 from grader.cli.progress import shown, shown_progress
 from grader.cli.replaying import replayed, require_alone
-from grader.cli.status import FULL_MARKS, INTERRUPTED, LOST_POINTS, OUR_FAULT, stop
+from grader.cli.status import FULL_MARKS, INTERRUPTED, LOST_POINTS, OUR_FAULT, stop, tell_of
 from grader.errors import Interrupted, UsageError
 from grader.language import translator
 from grader.model.grade import Grade
@@ -137,7 +137,8 @@ def own_folder() -> Path:
     except UsageError:
         from grader.resources import cache_folder
 
-        return ready(cache_folder() / OUTPUT)
+        remedy = "call it in a folder that you may write, or set BVHGRADE_CACHE to one"
+        return ready(cache_folder() / OUTPUT, remedy=remedy)
 
 
 def graded(order: Order) -> Grade:
@@ -162,7 +163,9 @@ def graded(order: Order) -> Grade:
             views=order.views and not order.quick,
             quick=order.quick,
         )
-        return grade_one(order.path, options)
+        result = grade_one(order.path, options)
+    tell_of(result.traceback)
+    return result
 
 
 def stored(folder: Path, result: Grade, order: Order) -> Path:
@@ -213,7 +216,7 @@ def watch_over(order: Order, folder: Path) -> NoReturn:
     except (KeyboardInterrupt, Interrupted) as fault:
         # Each finished run was stored, so more changed than after other interruptions.
         status = getattr(fault, "status", INTERRUPTED)
-        stop(click.get_current_context(), "interrupted; the last finished run is kept", status)
+        stop("interrupted; the last finished run is kept", status)
 
 
 def say_if_quick(order: Order) -> None:

@@ -23,6 +23,9 @@ def interruptible() -> Iterator[None]:
     """Let a signal end all processes of submissions at once, and then the grader.
 
     Without this the grader would wait for workers that run, each up to its own limit.
+
+    Raises:
+        Stopped: A signal came.
     """
     from grader.sandbox.launch import stop_everything
 

@@ -13,7 +13,11 @@ if TYPE_CHECKING:
 
 
 def study(match: str, mutants: int, seed: int, jobs: int, **_: Any) -> bool:  # noqa: ANN401 - the other options
-    """Study mutants, store and tell what became of them; True if one survived unexplained."""
+    """Study mutants, store and tell what became of them; True if one survived unexplained.
+
+    Raises:
+        UsageError: No submission that mutants are made of has such a name.
+    """
     from grader.certify.fates import counts_of, store_counts
     from grader.certify.ledger import Ledger, usual_ledger
     from grader.certify.matrix import SEED

@@ -48,14 +48,23 @@ def package(host: str, output: Path, repository: str | None, **given: Any) -> No
 
     Exit status: 0 written, 2 an option does not fit, 3 it could not be written.
     """
-    if repository is not None and host != "github":
-        raise UsageError(f"--repository {repository}: only GitHub's package says it anywhere")
+    require_github(repository, host)
     from grader.package.archive import zipped
 
     with shown("packing"):
         data = zipped(packed(host, repository, given))
     write_bytes_whole(output, data, "name another file with -o")
     click.echo(f"written: {line_for_terminal(str(output))}, {len(data) / 1e6:.1f} MB")
+
+
+def require_github(repository: str | None, host: str) -> None:
+    """Refuse a repository that no package would name.
+
+    Raises:
+        UsageError: One was named for another host.
+    """
+    if repository is not None and host != "github":
+        raise UsageError(f"--repository {repository}: only GitHub's package says it anywhere")
 
 
 def packed(host: str, repository: str | None, given: Mapping[str, Any]) -> tuple["Member", ...]:

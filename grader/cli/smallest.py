@@ -20,7 +20,11 @@ def search(
     into: Path | None,
     **_: Any,  # noqa: ANN401 - the other options
 ) -> bool:
-    """Search wrong submissions, store the sizes; True if one could not be graded."""
+    """Search wrong submissions, store the sizes; True if one could not be graded.
+
+    Raises:
+        UsageError: No wrong submission has such a name, or the inputs cannot be kept.
+    """
     from grader.certify.corpus import every_submission, name_of, wrong_submissions
     from grader.certify.ledger import Ledger, usual_ledger
     from grader.certify.smallest import searched, store_smallest
@@ -31,7 +35,7 @@ def search(
     if not paths:
         raise UsageError(f"--match {match}: no wrong submission has such a name")
     if into:
-        ready(into)
+        ready(into, remedy="name another folder with --into")
     undecided, grader = [], grader_digest(WITHOUT_SIZES)
 
     def tell(name: str, found: "Sequence[Smallest] | None") -> None:

@@ -5,16 +5,15 @@ own fault; 130 interrupted, 143 terminated. No traceback is ever shown: it is ke
 which is named.
 """
 
-import os
-import tempfile
+import sys
 import traceback
-from pathlib import Path
 from typing import Any, NoReturn
 
 import click
 
-from grader.errors import GraderError, Interrupted, UsageError
-from grader.plain import printable
+from grader.cli.output import lead_nowhere
+from grader.errors import GraderError, Interrupted, OutputFault, UsageError
+from grader.faults import noted
 from grader.report.escape import for_terminal
 
 FULL_MARKS = 0
@@ -22,12 +21,6 @@ LOST_POINTS = 1
 WRONG_USAGE = 2
 OUR_FAULT = 3
 INTERRUPTED = 130
-
-LONGEST_TRACEBACK = 100_000
-"""Characters; it may quote a stranger, and a maintainer prints it."""
-
-ALL_TRACEBACKS = 10 << 20
-"""Bytes that are kept; beyond them the oldest ones go."""
 
 
 class GraderGroup(click.Group):
@@ -40,14 +33,25 @@ class GraderGroup(click.Group):
         parent: click.Context | None = None,
         **extra: Any,  # noqa: ANN401 - click's own signature
     ) -> click.Context:
-        """Read the options before the command."""
+        """Read the options before the command.
+
+        Raises:
+            click.UsageError: They are wrong; what of them is a stranger's is harmless.
+        """
         try:
             return super().make_context(info_name, args, parent, **extra)
         except click.UsageError as fault:
             raise harmless(fault) from fault.__cause__
+        except OutputFault as fault:
+            # Help and version are printed here.
+            stop(str(fault), OUR_FAULT)
 
     def invoke(self, ctx: click.Context) -> Any:  # noqa: ANN401 - click's own signature
-        """Run the command; turn what it raises into one sentence and a status."""
+        """Run the command; turn what it raises into one sentence and a status.
+
+        Raises:
+            click.UsageError: Its options are wrong; see `make_context`.
+        """
         try:
             return super().invoke(ctx)
         except click.UsageError as fault:
@@ -56,13 +60,15 @@ class GraderGroup(click.Group):
             raise
         except (KeyboardInterrupt, click.Abort, Interrupted) as fault:
             status = getattr(fault, "status", INTERRUPTED)
-            stop(ctx, "interrupted; no result was changed", status)
+            stop("interrupted; no result was changed", status)
         except UsageError as fault:
-            stop(ctx, str(fault), WRONG_USAGE)
+            stop(str(fault), WRONG_USAGE)
+        except OutputFault as fault:
+            stop(str(fault), OUR_FAULT)
         except GraderError as fault:
-            stop(ctx, f"{fault}\nNothing is concluded about the submission.", OUR_FAULT)
+            stop(f"{fault}\nNothing is concluded about the submission.", OUR_FAULT)
         except Exception as fault:  # noqa: BLE001 - the outermost place: it must not reach a student
-            stop(ctx, surprise(fault), OUR_FAULT)
+            stop(surprise(fault), OUR_FAULT)
 
 
 def harmless(fault: click.UsageError) -> click.UsageError:
@@ -72,11 +78,25 @@ def harmless(fault: click.UsageError) -> click.UsageError:
     return click.UsageError(for_terminal(fault.format_message()), fault.ctx)
 
 
-def stop(ctx: click.Context, sentence: str, status: int) -> NoReturn:
-    """Say why on standard error and leave."""
-    for line in for_terminal(sentence).splitlines():
-        click.echo(f"bvhgrade: {line}", err=True)
-    ctx.exit(status)
+def stop(sentence: str, status: int) -> NoReturn:
+    """Say why on standard error and leave.
+
+    Raises:
+        click.exceptions.Exit: Always, with the status.
+    """
+    try:
+        for line in for_terminal(sentence).splitlines():
+            click.echo(f"bvhgrade: {line}", err=True)
+    except OSError:
+        # Nothing can be said any more, but the status says it.
+        lead_nowhere(sys.stderr.fileno())
+    raise click.exceptions.Exit(status)
+
+
+def tell_of(traceback: str) -> None:
+    """Say on standard error where the traceback of checks that broke is, if any did."""
+    if traceback:
+        click.echo(for_terminal(f"bvhgrade: {noted(traceback)}"), err=True)
 
 
 def surprise(fault: Exception) -> str:
@@ -85,22 +105,5 @@ def surprise(fault: Exception) -> str:
     text = "".join(traceback.format_exception(fault))
     return (
         f"the grader itself failed ({kind}); nothing is concluded about the submission.\n"
-        f"What a maintainer needs is in {kept(text)}"
+        f"{noted(text)}"
     )
-
-
-def kept(text: str) -> Path:
-    """Write a traceback into the cache folder, or into a temporary one if that fails too."""
-    try:
-        from grader.entries import drop_oldest
-        from grader.resources import cache_folder
-
-        folder = cache_folder() / "faults"
-        folder.mkdir(mode=0o700, exist_ok=True)
-        drop_oldest(folder, ALL_TRACEBACKS)
-    except (GraderError, OSError):
-        folder = Path(tempfile.gettempdir())
-    handle, name = tempfile.mkstemp(prefix="fault-", suffix=".txt", dir=folder)
-    with os.fdopen(handle, "w", encoding="utf-8", errors="backslashreplace") as file:
-        file.write(printable(text, LONGEST_TRACEBACK))
-    return Path(name)

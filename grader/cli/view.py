@@ -1,5 +1,6 @@
 """The command `view`: a submission's tree and rays, looked at from any side."""
 
+from contextlib import nullcontext
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +14,7 @@ from grader.cli.options import (
     submission_type,
     unsafe_option,
 )
-from grader.cli.progress import silent
+from grader.cli.progress import shown, silent
 from grader.cli.replaying import require_shown
 from grader.cli.status import stop
 from grader.errors import UsageError
@@ -50,17 +51,30 @@ def view(submission: Path, web: bool, **given: Any) -> None:  # noqa: ANN401 - c
     from grader.view.opening import Wish, opening
 
     scene, check, screenshot = (given[name] for name in ("scene", "check", "screenshot"))
-    if scene and check:
-        raise UsageError("--scene and --check both say what to begin with; give one of them")
-    if web and screenshot:
-        raise UsageError("--web and --screenshot both say where to show it; give one of them")
+    require_one(scene, check, web, screenshot)
     if check:
         named = read(Path(check)).check if check.endswith(".json") else check
         require_shown(given["rubric"], named, f"--check {check}")
     isolated = not given["unsafe_no_isolation"]
     options = Options(SEED, given["rubric"], (), silent, isolated=isolated, for_student=True)
     language = given["language"] or usual_language()
-    with interruptible():
+    # A window and a page show by themselves that something goes on.
+    waiting = shown("drawing the picture") if screenshot else nullcontext()
+    with interruptible(), waiting:
         trouble = opening(Wish(submission, options, scene, check, language), web, screenshot)
     if trouble:
-        stop(click.get_current_context(), f"{submission}: {trouble}", NOT_WHOLE)
+        stop(f"{submission}: {trouble}", NOT_WHOLE)
+
+
+def require_one(
+    scene: str | None, check: str | None, web: bool, screenshot: Path | None
+) -> None:
+    """Refuse two beginnings, and two places.
+
+    Raises:
+        UsageError: There are two.
+    """
+    if scene and check:
+        raise UsageError("--scene and --check both say what to begin with; give one of them")
+    if web and screenshot:
+        raise UsageError("--web and --screenshot both say where to show it; give one of them")

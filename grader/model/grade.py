@@ -211,5 +211,8 @@ class Grade:
     needs_review: bool
     provenance: Provenance
     timing: Timing
+    traceback: str = ""
+    """Of the checks of ours that broke, for a maintainer; no report shows it."""
+
     views: "Views | None" = None
     """What a report shows; None if nobody asked for it, or nothing ran."""

@@ -58,7 +58,10 @@ class Finding:
     verdict: Verdict
     evidence: Evidence
     reason: str = ""
-    """Of BLOCKED the blocking check, of BROKEN what went wrong on our side."""
+    """Of BLOCKED the blocking check, of BROKEN what went wrong on our side, in a sentence."""
+
+    traceback: str = ""
+    """Of BROKEN by an exception: what a maintainer needs, and nobody else reads."""
 
     weight: float = 1.0
     """How many ordinary cases this one counts for."""

@@ -212,7 +212,7 @@ def model_json(given: Model) -> Json:
 
 
 def runs(faces: Integers) -> list[int]:
-    """Write ascending faces as pairs: where a run begins, and how long it is."""
+    """Write (K,) int64 faces as pairs: where a run begins, and how long it is."""
     faces = np.unique(faces)
     starts = np.flatnonzero(np.diff(faces, prepend=-2) != 1)
     lengths = np.diff(starts, append=faces.size)

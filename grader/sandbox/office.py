@@ -57,6 +57,8 @@ class Gone:
 
     ticket: int
     why: str
+    said: str = ""
+    """What it printed last: often a traceback, so it is for a maintainer only."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -200,8 +202,7 @@ class Office:
         self._clerks.remove(clerk)
         clerk.desk.close()
         code = _end(clerk, 0.0 if why else PATIENCE_SECONDS)
-        said = _last_words(clerk)
-        return Gone(clerk.ticket, f"{why} ({_worded(code)}){': ' if said else ''}{said}")
+        return Gone(clerk.ticket, f"{why} ({_worded(code)})", _last_words(clerk))
 
 
 def _started(entry: str, desk: int, words: IO[bytes], folder: Path) -> subprocess.Popen[bytes]:

@@ -4,6 +4,7 @@ import time
 import traceback
 from collections.abc import Iterable, Iterator, Sequence
 
+from grader.errors import failed_here
 from grader.model.cases import Case
 from grader.model.stages import Stop
 from grader.model.verdict import Evidence, Example, Finding, Verdict
@@ -41,9 +42,11 @@ class Examiner:
         started = time.monotonic()
         try:
             evidence = each.decide(case)
-        except Exception:  # noqa: BLE001 - any fault of a check is ours: it becomes BROKEN
-            reason = traceback.format_exc(limit=8)
-            return Finding(each.id, case.name, Verdict.BROKEN, NOTHING, reason)
+        except Exception as fault:  # noqa: BLE001 - any fault of a check is ours: it becomes BROKEN
+            return Finding(
+                *(each.id, case.name, Verdict.BROKEN, NOTHING, failed_here(fault)),
+                traceback=traceback.format_exc(limit=8),
+            )
         finally:
             self.seconds[each.id] += time.monotonic() - started
         if evidence.examined == 0:

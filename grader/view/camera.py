@@ -23,7 +23,7 @@ LEAST_T_MIN = 1e-4
 
 @dataclass(frozen=True, slots=True)
 class Frame:
-    """Axes of a camera, unit vectors in world space."""
+    """Place and axes of a camera, (3,) float64 in world space; axes are unit vectors."""
 
     eye: Doubles
     right: Doubles
@@ -91,7 +91,12 @@ def orbit_of(camera: SceneCamera, size: float) -> Orbit:
 
 
 def orbit_around(low: Doubles, high: Doubles) -> Orbit:
-    """Look at a box from the front, a little from above and from the side."""
+    """Look at a box from the front, a little from above and from the side.
+
+    Args:
+        low: (3,) float64, its smallest corner in world space.
+        high: (3,) float64, its largest one.
+    """
     middle = (low + high) / 2
     size = float(np.linalg.norm(high - low))
     size = size if np.isfinite(size) and size > 0 else 1.0
@@ -169,7 +174,10 @@ def projection(orbit: Orbit, width: int, height: int) -> Floats:
 
 
 def across(up: Doubles) -> tuple[Doubles, Doubles]:
-    """Return two unit vectors that span the plane across a unit vector, `east x north = up`."""
+    """Return two unit vectors that span the plane across a unit vector, `east x north = up`.
+
+    All are (3,) float64.
+    """
     # With y up, north is z and east is x, as in the report.
     seed = np.array([0.0, 0.0, 1.0]) if abs(up[2]) < 0.9 else np.array([0.0, -1.0, 0.0])
     north = _unit(seed - (seed @ up) * up)

@@ -188,7 +188,12 @@ def some_faces(facts: NodeFacts) -> str:
 
 
 def next_of(nodes: Integers, after: int) -> int:
-    """Return the first of some ascending nodes behind another, from the start if need be."""
+    """Return the first of some nodes behind another, from the start if need be; -1 if none.
+
+    Args:
+        nodes: (K,) int64, ascending.
+        after: A node.
+    """
     if not nodes.size:
         return -1
     later = nodes[nodes > after]

@@ -32,8 +32,8 @@ class Level:
         """Paint blocks.
 
         Args:
-            whole: (H, W), the picture.
-            values: (K,), one for each block.
+            whole: (H, W) of the same dtype as `values`, the picture.
+            values: (K,) of any dtype, one for each block.
             first: Place of the first ray.
         """
         begin, block, width = first - self.first, self.block, whole.shape[1]

@@ -110,7 +110,7 @@ def _ray(walk: Walk, size: float) -> Iterator[Stroke]:
 
 
 def edges(box: tuple[float, ...]) -> Doubles:
-    """(12, 2, 3) float64, the edges of a box, given by minimum and maximum."""
+    """(12, 2, 3) float64, world space, the edges of a box, given by minimum and maximum."""
     corner = np.array(box, np.float64).reshape(2, 3)
     lines = []
     for axis in range(3):
@@ -124,7 +124,7 @@ def edges(box: tuple[float, ...]) -> Doubles:
 
 
 def outlines(mesh: Mesh, faces: np.ndarray) -> Doubles:
-    """(3K, 2, 3) float64, the sides of faces."""
+    """(3K, 2, 3) float64, world space, the sides of (K,) faces, given by integers."""
     corners = mesh.vertices[mesh.faces[faces]].astype(np.float64)
     return np.stack([corners, np.roll(corners, -1, axis=1)], axis=2).reshape(-1, 2, 3)
 

@@ -200,13 +200,13 @@ def scaled(imgui: ModuleType, width: float) -> float:
 
 
 def colour_of(imgui: ModuleType, rgb: tuple[int, int, int] | np.ndarray) -> int:
-    """Pack a colour as ImGui wants it."""
+    """Pack a colour, three values from 0 to 255 or (3,) uint8 sRGB, as ImGui wants it."""
     red, green, blue = (int(value) / 255 for value in rgb)
     return int(imgui.get_color_u32((red, green, blue, 1.0)))
 
 
 def saved(pixels: np.ndarray, path: Path, words: Words) -> str:
-    """Save a picture, and say where it is or why it is not."""
+    """Save a picture, (H, W, 3) uint8 sRGB, and say where it is or why it is not."""
     from grader.view.screenshot import save
 
     try:

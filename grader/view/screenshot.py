@@ -110,7 +110,11 @@ def _is_done(desk: Desk, study: Study) -> bool:
 
 
 def panes(desk: Desk, study: Study, preview: Preview) -> Bytes:
-    """Draw what is on a desk: (H, 2 W + GAP, 3) uint8."""
+    """Draw what is on a desk: (H, 2 W + GAP, 3) uint8 sRGB.
+
+    Raises:
+        AssertionError: Nothing is.
+    """
     subject, orbit, (width, height) = desk.subject, desk.orbit, desk.size
     if subject is None or orbit is None:
         raise AssertionError("something is on the desk")
@@ -131,6 +135,14 @@ def panes(desk: Desk, study: Study, preview: Preview) -> Bytes:
 def stretched(pixels: Bytes, width: int, height: int) -> Bytes:
     """Have a picture of another size, by the nearest pixels.
 
+    Args:
+        pixels: (H, W, 3) uint8.
+        width: Wanted, in pixels.
+        height: Wanted, in pixels.
+
+    Returns:
+        (height, width, 3) uint8.
+
     A process that has ended traces no picture of the size that the pane has now.
     """
     rows = np.arange(height) * pixels.shape[0] // height
@@ -139,7 +151,7 @@ def stretched(pixels: Bytes, width: int, height: int) -> Bytes:
 
 
 def over(pixels: Bytes, strokes: Sequence[Stroke]) -> Bytes:
-    """Draw lines over a picture."""
+    """Draw lines over a picture, (H, W, 3) uint8, and return another one as large."""
     from PIL import Image, ImageDraw
 
     image = Image.fromarray(pixels)
@@ -151,7 +163,7 @@ def over(pixels: Bytes, strokes: Sequence[Stroke]) -> Bytes:
 
 
 def save(pixels: Bytes, path: Path) -> None:
-    """Write a PNG.
+    """Write a picture, (H, W, 3) uint8 sRGB, as a PNG.
 
     Raises:
         OutputFault: It cannot be written.

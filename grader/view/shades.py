@@ -17,7 +17,10 @@ hits decides grades, this only colours a picture."""
 
 
 def light_of(frame: Frame) -> Doubles:
-    """Return the unit vector to the lamp, which is carried along, above the right shoulder."""
+    """Return the unit vector to the lamp, which is carried along, above the right shoulder.
+
+    It is (3,) float64, in world space.
+    """
     lamp = frame.back + 0.5 * frame.up + 0.3 * frame.right
     return np.asarray(lamp / np.linalg.norm(lamp))
 
@@ -61,13 +64,16 @@ def tint(albedo: tuple[float, float, float]) -> Floats:
 
 
 def is_hit(t: Floats) -> Mask:
-    """(...) bool, what `Intersection` itself says: a t that is below infinity."""
+    """(...) bool, what `Intersection` says of a t, (...) float32: it is below infinity."""
     with np.errstate(invalid="ignore"):
         return np.asarray(t < np.inf)
 
 
 def differing(one: Floats, other: Floats) -> Mask:
-    """(K,) bool, True where one t is finite and the other not, or both are apart."""
+    """(K,) bool, True where one t is finite and the other not, or both are apart.
+
+    Both are (K,) float32.
+    """
     with np.errstate(invalid="ignore", over="ignore"):
         near = np.abs(one - other) <= APART * np.maximum(np.abs(one), np.abs(other))
     both = np.isfinite(one) & np.isfinite(other)

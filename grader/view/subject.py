@@ -185,7 +185,10 @@ def around(mesh: Mesh) -> Orbit:
 
 
 def cube(mesh: Mesh) -> tuple[np.ndarray, float]:
-    """Return middle and scale by which a page moves a mesh into a cube of side 2."""
+    """Return middle and scale by which a page moves a mesh into a cube of side 2.
+
+    The middle is (3,) float64, in world space.
+    """
     points = mesh.vertices.astype(np.float64)
     if not len(points):
         return np.zeros(3), 2.0

@@ -251,5 +251,5 @@ class Traced:
 
 
 def agreement(one: Mask, other: Mask) -> float:
-    """Share of pixels on which two masks agree."""
+    """Share of pixels on which two masks agree, both (...) bool."""
     return float((one == other).mean()) if one.size else 1.0

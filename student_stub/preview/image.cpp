@@ -4,6 +4,7 @@
 #include <fstream>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 
 namespace ex03 {
 namespace {
@@ -79,14 +80,35 @@ std::string asPpm(const Image& image) {
     return text;
 }
 
+[[noreturn]] void fail(const std::filesystem::path& file) {
+    throw std::runtime_error(file.string() + ": cannot be written, but the picture goes there; " +
+                             "name a file in a folder that you may write to with -o");
+}
+
 } // namespace
+
+bool isPictureName(const std::filesystem::path& file) {
+    return file.extension() == ".png" || file.extension() == ".ppm";
+}
+
+void requireWritable(const std::filesystem::path& file) {
+    std::error_code ignored;
+    const bool isThere = std::filesystem::exists(std::filesystem::symlink_status(file, ignored));
+    // To append nothing keeps an older picture, should this program not live to write a new one.
+    if (!std::ofstream(file, std::ios::app)) {
+        fail(file);
+    }
+    if (!isThere) {
+        std::filesystem::remove(file, ignored);
+    }
+}
 
 void writeImage(const std::filesystem::path& file, const Image& image) {
     const std::string bytes = file.extension() == ".ppm" ? asPpm(image) : asPng(image);
     std::ofstream stream(file, std::ios::binary);
     stream << bytes << std::flush;
     if (!stream) {
-        throw std::runtime_error(file.string() + ": cannot be written");
+        fail(file);
     }
 }
 

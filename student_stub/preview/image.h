@@ -14,6 +14,12 @@ struct Image {
     std::vector<uint8_t> pixels;
 };
 
+/// Says whether the name ends in `.png` or `.ppm`.
+bool isPictureName(const std::filesystem::path& file);
+
+/// Throws std::runtime_error if the file cannot be written. Changes nothing.
+void requireWritable(const std::filesystem::path& file);
+
 /// Writes a PNG file, or a PPM file if the name ends in `.ppm`.
 ///
 /// Throws std::runtime_error if the file cannot be written.

@@ -10,6 +10,7 @@
 #include <chrono>
 #include <exception>
 #include <iomanip>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -29,37 +30,60 @@ struct Options {
     size_t height{480};
 };
 
-bool parseSide(std::string_view text, size_t& side) {
+/// Says which argument makes no sense, and what is expected.
+struct BadUsage : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+size_t parseSide(const std::string& name, const std::string& text) {
+    size_t side = 0;
     const char* end = text.data() + text.size();
     const auto result = std::from_chars(text.data(), end, side);
-    return result.ec == std::errc{} && result.ptr == end && side >= 1 && side <= largestSide;
+    if (result.ec != std::errc{} || result.ptr != end || side < 1 || side > largestSide) {
+        throw BadUsage(name + " is '" + text + "', but a number of pixels from 1 to " +
+                       std::to_string(largestSide) + " is expected");
+    }
+    return side;
 }
 
-bool setOption(Options& options, std::string_view name, const std::string& value) {
+std::string parseOutput(const std::string& name) {
+    if (!isPictureName(name)) {
+        throw BadUsage("-o is '" + name + "', but a name that ends in .png or .ppm is expected");
+    }
+    return name;
+}
+
+/// Reads the option at `i` and its value; `i` is the value's place then.
+void parseOption(const std::vector<std::string>& arguments, size_t& i, Options& options) {
+    const std::string& name = arguments[i];
+    if (name != "-o" && name != "--width" && name != "--height") {
+        throw BadUsage("there is no option '" + name + "'");
+    }
+    if (++i == arguments.size()) {
+        throw BadUsage(name + " stands last, but its value is expected after it");
+    }
     if (name == "-o") {
-        options.output = value;
-        return true;
+        options.output = parseOutput(arguments[i]);
+    } else {
+        (name == "--width" ? options.width : options.height) = parseSide(name, arguments[i]);
     }
-    return (name == "--width" && parseSide(value, options.width)) ||
-           (name == "--height" && parseSide(value, options.height));
 }
 
-/// Fills `options`; false if the arguments make no sense.
-bool parseArguments(const std::vector<std::string>& arguments, Options& options) {
+Options parseArguments(const std::vector<std::string>& arguments) {
+    Options options;
     for (size_t i = 0; i < arguments.size(); ++i) {
-        const std::string& name = arguments[i];
-        bool understood = false;
-        if (!name.starts_with('-')) {
-            understood = options.model.empty();
-            options.model = name;
-        } else if (++i < arguments.size()) {
-            understood = setOption(options, name, arguments[i]);
-        }
-        if (!understood) {
-            return false;
+        if (arguments[i].starts_with('-')) {
+            parseOption(arguments, i, options);
+        } else if (options.model.empty()) {
+            options.model = arguments[i];
+        } else {
+            throw BadUsage("'" + arguments[i] + "' is a second model, but one is expected");
         }
     }
-    return !options.model.empty();
+    if (options.model.empty()) {
+        throw BadUsage("no model is named");
+    }
+    return options;
 }
 
 class Stopwatch {
@@ -131,6 +155,7 @@ Image render(const Mesh& mesh, const Options& options) {
 }
 
 void preview(const Options& options) {
+    requireWritable(options.output); // before minutes of rendering
     Mesh mesh = readObj(options.model);
     std::cout << "model:     " << mesh.getFaces().size() << " faces\n" << std::fixed;
 
@@ -157,13 +182,11 @@ void preview(const Options& options) {
 } // namespace ex03
 
 int main(int argc, char** argv) {
-    ex03::Options options;
     try {
-        if (!ex03::parseArguments({argv + 1, argv + argc}, options)) {
-            std::cerr << ex03::usage;
-            return 2;
-        }
-        ex03::preview(options);
+        ex03::preview(ex03::parseArguments({argv + 1, argv + argc}));
+    } catch (const ex03::BadUsage& error) {
+        std::cerr << "preview: " << error.what() << "\n" << ex03::usage;
+        return 2;
     } catch (const std::exception& error) {
         std::cerr << "preview: " << error.what() << "\n";
         return 1;

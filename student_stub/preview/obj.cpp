@@ -1,10 +1,12 @@
 #include "obj.h"
 
 #include <charconv>
+#include <cstdlib>
 #include <fstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 namespace ex03 {
 namespace {
@@ -19,13 +21,21 @@ std::string_view takeWord(std::string_view& line) {
     return word;
 }
 
-/// Says whether the whole of `word` is a number, and which one.
+/// Says whether the whole of `word` is a number, and which one: what is too small for a float is
+/// the nearest one, as in a literal, and what is too large is infinite.
 template <typename Number> bool parse(std::string_view word, Number& number) {
     if (word.starts_with('+')) {
         word.remove_prefix(1);
     }
     const char* end = word.data() + word.size();
     const auto result = std::from_chars(word.data(), end, number);
+    if constexpr (std::is_floating_point_v<Number>) {
+        if (result.ec == std::errc::result_out_of_range) {
+            // `number` is unchanged then, whether it would be tiny or huge.
+            number = std::strtof(std::string(word).c_str(), nullptr);
+            return result.ptr == end;
+        }
+    }
     return result.ec == std::errc{} && result.ptr == end;
 }
 

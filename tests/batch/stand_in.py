@@ -1,6 +1,7 @@
 """Stands in for the pipeline: what a clerk does with a submission is what its text says.
 
-`die` ends the clerk; `raise` is a fault of ours; `wait` never ends; `die once`, `wait once` and
+`die` ends the clerk, `die aloud` with a traceback; `raise` is a fault of ours, `stumble` one
+that nobody foresaw, `broken` one of a check; `wait` never ends; `die once`, `wait once` and
 `withheld once` (a grade without a score) do so only the first time; `wrong` loses points,
 `moody` with another seed; anything else is a perfect grade. As a program it grades a class so,
 in a whole process.
@@ -17,6 +18,7 @@ from pathlib import Path
 from grader.batch.job import Job
 from grader.batch.settings import Settings, Wish
 from grader.batch.work import Failed, Order, Refused, differences
+from grader.errors import failed_here
 from grader.kept import Result, kept
 from grader.model.stages import Submission
 from tests.report import samples
@@ -24,6 +26,8 @@ from tests.report import samples
 ENTRY = "tests.batch.stand_in:graded"
 LOG = "BVHGRADE_TESTS_LOG"
 """Names the file that gets a line for each grading that begins."""
+
+TRACEBACK = "Traceback of ours"
 
 WISH = Wish(41, None, None, isolated=False)
 SETTINGS = Settings("0.1", "1" * 64, "2" * 64, 41, "none", None)
@@ -55,6 +59,14 @@ def graded(order: Order, tell: Callable[[str], None]) -> Result | Failed:
     tell("[red]tracing[/red]")
     if text == "die" or (text == "die once" and text not in before):
         os.kill(os.getpid(), signal.SIGKILL)
+    if text == "die aloud":
+        print(TRACEBACK, flush=True)  # noqa: T201 - as Python does when it dies
+        os.kill(os.getpid(), signal.SIGKILL)
+    if text == "stumble":
+        return Failed(failed_here(KeyError(TRACEBACK)), TRACEBACK)
+    if text == "broken":
+        withheld = replace(samples.broken(), submission=order.submission)
+        return kept(replace(withheld, traceback=TRACEBACK))
     if text == "raise":
         return Failed("no more [bold]file descriptors")
     while text == "wait" or (text == "wait once" and text not in before):

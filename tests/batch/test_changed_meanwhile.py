@@ -7,7 +7,7 @@ import pytest
 
 from grader.batch import work
 from grader.batch.settings import Settings
-from grader.batch.work import Order, Refused
+from grader.batch.work import Failed, Order, Refused
 from grader.kept import kept
 from grader.model.stages import Submission
 from tests.batch.classes import CODE, folder_of, grade, points, results, zip_of
@@ -53,6 +53,24 @@ def test_a_rubric_that_changes_meanwhile_ends_the_class(
     assert answer.why.startswith("rubric_sha256: not what the class was begun with")
     same = replace(settings, rubric_sha256="0" * 64)
     assert work.graded(replace(order, settings=same), lambda _: None) == kept(graded)
+
+
+def test_a_fault_that_nobody_foresaw_is_worded_by_its_kind(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Its traceback comes along for a maintainer."""
+
+    def breaks(*_: object) -> None:
+        raise KeyError("secret")
+
+    monkeypatch.setattr(work, "differences", lambda *_: "")
+    monkeypatch.setattr(work, "grade_located", breaks)
+    settings = Settings("g", "1" * 64, "2" * 64, 41, "none", None)
+    order = Order(Submission("ada", "x.cpp", b"", ""), WISH, settings)
+    answer = work.graded(order, lambda _: None)
+    assert isinstance(answer, Failed)
+    assert answer.why == "The grader itself failed here (KeyError); it costs no points."
+    assert "secret" in answer.traceback
 
 
 def test_an_empty_file_of_ours_is_written_again(tmp_path: Path, log: Path) -> None:

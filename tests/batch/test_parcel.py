@@ -41,6 +41,8 @@ def right(log: Path) -> dict[str, Any]:
     assert isinstance(result, Result)
     told: dict[str, Any] = json.loads(packed_answer(Done(7, result)))
     assert read_answer(json.dumps(told).encode(), 7, ORDER) == Done(7, result)
+    broken = Done(7, replace(result, traceback="Traceback"))
+    assert read_answer(packed_answer(broken), 7, ORDER) == broken
     return told
 
 
@@ -53,7 +55,12 @@ def test_an_order_arrives_without_a_name() -> None:
 
 
 @pytest.mark.parametrize(
-    "news", [Gone(7, "it ended"), Done(7, Failed("no memory")), Done(7, Refused("another"))]
+    "news",
+    [
+        *(Gone(7, "it ended"), Gone(7, "it ended", "Traceback")),
+        *(Done(7, Failed("no memory")), Done(7, Failed("it failed", "Traceback"))),
+        Done(7, Refused("another")),
+    ],
 )
 def test_what_is_no_result_arrives_as_it_was(news: Done | Gone) -> None:
     """With its reason."""

@@ -15,7 +15,7 @@ from grader.intake.handed_in import handed_in
 from grader.kept import Result
 from grader.report.as_json import to_text
 from tests.batch.classes import CODE, folder_of, grade, points, results, zip_of
-from tests.batch.stand_in import begun, job
+from tests.batch.stand_in import TRACEBACK, begun, job
 from tests.report import samples
 
 TEXT = to_text(samples.perfect())
@@ -108,6 +108,23 @@ def test_our_own_fault_is_never_0_points(tmp_path: Path, log: Path, text: str) -
     assert begun(log).count(text) == (2 if text == "die" else 1)
     (said,) = seen.troubles
     assert said.startswith("bob: ")
+
+
+@pytest.mark.parametrize("text", ["die aloud", "stumble", "broken"])
+def test_a_traceback_of_ours_is_in_a_file_that_is_named(
+    tmp_path: Path, log: Path, monkeypatch: pytest.MonkeyPatch, text: str
+) -> None:
+    """For a maintainer; nothing that a student or a teacher may open holds it."""
+    monkeypatch.setenv("BVHGRADE_CACHE", str(tmp_path / "cache"))
+    totals, seen = grade(folder_of(tmp_path, "class", {"bob.cpp": text}), job(tmp_path / "out"))
+    assert totals.withheld == 1
+    (noted,) = (tmp_path / "cache" / "faults").iterdir()
+    assert noted.read_text() == TRACEBACK
+    (said,) = seen.troubles
+    assert said.startswith("bob: ")
+    assert said.endswith(f". What a maintainer needs is in {noted}")
+    for written in (tmp_path / "out").rglob("*"):
+        assert written.is_dir() or TRACEBACK.encode() not in written.read_bytes()
 
 
 def test_a_clerk_may_die_once(tmp_path: Path, log: Path) -> None:

@@ -1,6 +1,7 @@
 """Calls of the command line in this process, with a pipeline that says what a test wants."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from types import ModuleType
 
@@ -36,6 +37,21 @@ class Pipeline(ModuleType):
             raise fault
 
         self.answer = answer
+
+
+class Waiting:
+    """Stands in for the line that shows in a terminal that work goes on."""
+
+    def __init__(self) -> None:
+        self.works: list[str] = []
+        self.is_over = False
+
+    @contextmanager
+    def shown(self, work: str) -> Iterator[None]:
+        """Remember what was shown, and whether it vanished."""
+        self.works.append(work)
+        yield
+        self.is_over = True
 
 
 def call(*words: str) -> Result:

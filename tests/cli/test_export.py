@@ -1,12 +1,13 @@
 """`export` and `--format`: files, exit statuses, and what is said about them."""
 
 import json
+import sys
 from pathlib import Path
 
 import pytest
 
 from grader.report.formats import FORMATS
-from tests.cli.calls import FILE, Pipeline, call
+from tests.cli.calls import FILE, Pipeline, Waiting, call
 from tests.gradebook import rules, sheets
 from tests.gradebook.folders import CLASS, write_class
 from tests.report import samples
@@ -34,6 +35,18 @@ def test_a_worksheet_is_filled_in_place() -> None:
     assert rules.moodle_worksheet(sheet.read_bytes(), "en")[101][0] == 50
     assert sheet.stat().st_mode & 0o777 == 0o600
     assert sorted(each.name for each in Path().iterdir()) == ["class", "sheet.csv"]
+
+
+def test_a_large_class_shows_that_it_goes_on(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The line is gone before anything is told."""
+    waiting = Waiting()
+    # The package has the command by that name.
+    module = sys.modules["grader.cli.export"]
+    monkeypatch.setattr(module, "shown", waiting.shown)
+    monkeypatch.setattr(module, "tell", lambda *_: waiting.works.append("told"))
+    write_class(Path("class"), {"ada": "right"})
+    assert call("export", "csv", "class").exit_code == 0
+    assert (waiting.works, waiting.is_over) == (["reading the results", "told"], True)
 
 
 def test_a_student_who_handed_in_nothing_is_told_and_is_no_failure() -> None:

@@ -1,11 +1,15 @@
 """`check` and `grade` when we are at fault: one sentence, and nothing is lost."""
 
+from dataclasses import replace
+from errno import ENOSPC
 from pathlib import Path
+from typing import NoReturn
 
 import pytest
 
 from grader.errors import BuildFault, MissingTool, UsageError
 from tests.cli.calls import FILE, WRITTEN, Pipeline, call
+from tests.report import samples
 
 
 @pytest.mark.parametrize(
@@ -43,6 +47,23 @@ def test_an_unforeseen_fault_keeps_its_traceback_in_a_file(
     assert "secret detail" in kept.read_text()
 
 
+@pytest.mark.parametrize("command", ["check", "grade"])
+def test_the_traceback_of_a_check_that_broke_is_kept_in_a_file(
+    pipeline: Pipeline, tmp_path: Path, command: str
+) -> None:
+    """Whoever ran the command is told where, and the result tells nobody."""
+    broken = replace(samples.broken(), traceback="Traceback: secret detail")
+    pipeline.answer = lambda: broken
+    result = call(command, FILE)
+    assert result.exit_code == 3
+    (noted,) = (tmp_path / "cache" / "faults").iterdir()
+    assert noted.read_text() == "Traceback: secret detail"
+    assert result.stderr == f"bvhgrade: What a maintainer needs is in {noted}\n"
+    assert "secret" not in result.stdout
+    for written in Path("bvhgrade-out").iterdir():
+        assert "secret" not in written.read_text()
+
+
 def test_a_traceback_survives_without_a_cache(
     pipeline: Pipeline, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -54,6 +75,27 @@ def test_a_traceback_survives_without_a_cache(
     kept = Path(result.stderr.rsplit(" ", 1)[1].strip())
     assert "ZeroDivisionError" in kept.read_text()
     kept.unlink()
+
+
+@pytest.mark.parametrize("step", ["tempfile.mkstemp", "grader.faults.printable"])
+def test_a_full_disk_costs_the_traceback_alone(
+    pipeline: Pipeline, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, step: str
+) -> None:
+    """Before it is written or in between: that is said, and no rest is left."""
+
+    def full(*_: object, **__: object) -> NoReturn:
+        raise OSError(ENOSPC, "No space left on device")
+
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    monkeypatch.setattr(step, full)
+    pipeline.fail(ZeroDivisionError())
+    result = call("grade", FILE)
+    assert result.exit_code == 3
+    assert result.exception is None or isinstance(result.exception, SystemExit)
+    assert result.stderr.splitlines()[1:] == [
+        "bvhgrade: What a maintainer needs could not be kept: No space left on device"
+    ]
+    assert not list(tmp_path.rglob("fault-*"))
 
 
 @pytest.mark.parametrize("fault", [KeyboardInterrupt(), SystemExit(7)])

@@ -184,6 +184,38 @@ def test_check_falls_back_on_the_cache_if_nothing_may_be_written_here(
     assert (tmp_path / "cache" / "bvhgrade-out" / "result.json").is_file()
 
 
+def test_check_says_what_helps_if_it_may_write_nowhere(
+    pipeline: Pipeline, tmp_path: Path
+) -> None:
+    """It has no -o."""
+    (tmp_path / "cache").mkdir()
+    for folder in (Path(), tmp_path / "cache"):
+        (folder / "bvhgrade-out").write_text("in the way")
+    result = call("check", FILE)
+    assert result.exit_code == 2
+    assert "cache/bvhgrade-out: File exists, but the result goes there; " in result.stderr
+    assert "set BVHGRADE_CACHE" in result.stderr
+    assert " -o" not in result.stderr
+    assert not pipeline.asked
+
+
+def test_check_names_no_option_that_it_lacks(pipeline: Pipeline) -> None:
+    """What lies in its folder is found when the result is written."""
+    pipeline.answer = samples.failing
+    out = Path("bvhgrade-out")
+    out.mkdir()
+    for text in ("", "notes"):
+        if text:
+            (out / "counterexamples").write_text(text)
+        else:
+            (out / "counterexamples").symlink_to("src")
+        result = call("check", FILE)
+        assert result.exit_code == 2
+        assert "; remove " in result.stderr
+        assert " -o" not in result.stderr
+        (out / "counterexamples").unlink()
+
+
 @pytest.mark.parametrize(
     ("name", "line"),
     [

@@ -107,6 +107,63 @@ def test_a_reader_that_goes_away_changes_nothing(here: Path) -> None:
     assert (here / "bvhgrade-out" / RESULT).is_file()
 
 
+@pytest.mark.parametrize(
+    "words", [["schema"], ["--help"], ["schema", "--help"], ["grade", FILE, "--quiet"]]
+)
+def test_a_full_standard_output_is_said_to_be_full(here: Path, words: list[str]) -> None:
+    """It is no fault of the grader, and what is in files stays there."""
+    with Path("/dev/full").open("wb") as full:
+        ended = subprocess.run(
+            stand_in("perfect", *words),
+            cwd=here,
+            env=environment(),
+            stdout=full,
+            stderr=subprocess.PIPE,
+            check=False,
+            timeout=60,
+        )
+    assert ended.returncode == 3
+    (said,) = ended.stderr.decode().splitlines()
+    assert said.startswith(
+        "bvhgrade: standard output cannot be written: No space left on device"
+    )
+    assert (here / "bvhgrade-out" / RESULT).is_file() == (words[0] == "grade")
+
+
+def test_the_status_says_it_where_nothing_else_can(here: Path) -> None:
+    """Not 1, which would mean that points are lost."""
+    with Path("/dev/full").open("wb") as full:
+        words = stand_in("perfect", "check", FILE)
+        ended = subprocess.run(
+            words,
+            cwd=here,
+            env=environment(),
+            stdout=full,
+            stderr=full,
+            check=False,
+            timeout=60,
+        )
+    assert ended.returncode == 3
+
+
+def test_a_reader_of_a_schema_may_go_away(here: Path) -> None:
+    """Nothing is said, and nothing is kept for a maintainer."""
+    read, write = os.pipe()
+    os.close(read)
+    process = subprocess.run(
+        stand_in("perfect", "schema"),
+        cwd=here,
+        env=environment(BVHGRADE_CACHE=str(here / "cache")),
+        stdout=write,
+        stderr=subprocess.PIPE,
+        check=False,
+        timeout=60,
+    )
+    os.close(write)
+    assert process.stderr == b""
+    assert not (here / "cache").exists()
+
+
 def test_an_old_encoding_gets_words(here: Path) -> None:
     """A pipe of another age."""
     result = run(here, stand_in("failing", "check", FILE), PYTHONIOENCODING="cp1252")

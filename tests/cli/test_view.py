@@ -8,7 +8,7 @@ import pytest
 
 from grader import resources
 from grader.counterexample.written import to_text
-from tests.cli.calls import call
+from tests.cli.calls import Waiting, call
 from tests.report.small_inputs import small
 from tests.test_selection import hiding
 from tests.view import sources
@@ -69,6 +69,22 @@ def test_without_the_extra_it_is_named(
     result = call("view", FILE, "--scene", "soup", *words)
     assert result.exit_code == 3
     assert 'pip install "bvhgrade[view]"' in result.output
+
+
+@pytest.mark.parametrize(
+    ("words", "works"),
+    [(("--screenshot", "a.png"), ["drawing the picture"]), (("--web",), [])],
+)
+def test_a_picture_that_takes_its_time_shows_that_it_goes_on(
+    cache: Path, monkeypatch: pytest.MonkeyPatch, words: tuple[str, ...], works: list[str]
+) -> None:
+    """A page does so by itself."""
+    waiting = Waiting()
+    # The package has the command by that name.
+    monkeypatch.setattr(sys.modules["grader.cli.view"], "shown", waiting.shown)
+    monkeypatch.setattr("grader.view.opening.opening", lambda *_: "")
+    assert call("view", FILE, "--scene", "soup", *words).exit_code == 0
+    assert (waiting.works, waiting.is_over) == (works, bool(works))
 
 
 def drawn(file: str, path: Path) -> subprocess.CompletedProcess[str]:

@@ -84,6 +84,8 @@ def test_faces_are_read(faces: str, count: int, reference_build: Path, tmp_path:
         ("v 0 0 0\nv 0 nan 0\n", ":2: coordinate 2 is 'nan', but three finite"),
         ("v 0 0 -inf\n", ":1: coordinate 3 is '-inf', but three finite"),
         ("v 0 0 1x\n", ":1: coordinate 3 is '1x', but"),
+        ("v 0 1e50 0\n", ":1: coordinate 2 is '1e50', but three finite"),
+        ("v 0 0 1e-50x\n", ":1: coordinate 3 is '1e-50x', but"),
         ("f 1 2 3\nv 0 0 0\n", ":1: face uses vertex 1, but 0 vertices are given above"),
         ("v 0 0 0\nf 1 1 2\n", ":2: face uses vertex 2, but 1 vertices are given above"),
         ("v 0 0 0\nf 1 1 -2\n", ":2: face uses vertex -2, but 1 vertices"),
@@ -115,19 +117,64 @@ def test_a_missing_file_is_named(name: str, reference_build: Path, tmp_path: Pat
     assert done.stderr.endswith("cannot be opened, but an OBJ file is expected\n")
 
 
+@pytest.mark.parametrize("tiny", ["1e-50", "-1e-50", "1e-40", "1e-400", "0.0000001e-44"])
+def test_a_tiny_coordinate_is_the_nearest_float(
+    tiny: str, reference_build: Path, tmp_path: Path
+) -> None:
+    """Zero or a denormal, as the compiler reads it; other programs write such numbers."""
+    model = tmp_path / "m.obj"
+    model.write_text(f"v {tiny} 0 0\nv 1 {tiny} 0\nv 0 1 0\nf 1 2 3\n")
+    done = run(reference_build / "preview", model, "-o", tmp_path / "a.ppm", "--width", "8")
+    assert done.returncode == 0, done.stderr
+
+
+@pytest.mark.parametrize("output", ["absent/a.png", "taken.png"])
+def test_a_picture_that_cannot_be_written_is_refused_first(
+    output: str, reference_build: Path, tmp_path: Path
+) -> None:
+    """Before anything is rendered, with what would help."""
+    (tmp_path / "taken.png").mkdir()
+    done = run(reference_build / "preview", CUBE, "-o", tmp_path / output)
+    assert done.returncode == 1
+    assert done.stdout == ""
+    assert f"{output}: cannot be written, but the picture goes there; name a " in done.stderr
+    assert "usage" not in done.stderr
+
+
+@pytest.mark.parametrize("before", [b"an older picture", None])
+def test_a_picture_is_replaced_by_a_whole_one_only(
+    before: bytes | None, reference_build: Path, tmp_path: Path
+) -> None:
+    """What ends before it is done leaves the folder as it was."""
+    file = tmp_path / "a.png"
+    if before is not None:
+        file.write_bytes(before)
+    assert run(reference_build / "preview", tmp_path / "no.obj", "-o", file).returncode == 1
+    assert (file.read_bytes() if file.exists() else None) == before
+
+
 @pytest.mark.parametrize(
-    "arguments",
+    ("arguments", "why"),
     [
-        [],
-        ["a.obj", "b.obj"],
-        ["a.obj", "-o"],
-        ["a.obj", "--width", "0"],
-        ["a.obj", "--height", "3x"],
-        ["a.obj", "--depth", "3"],
+        ([], "no model is named"),
+        (["a.obj", "b.obj"], "'b.obj' is a second model, but one is expected"),
+        (["a.obj", "-o"], "-o stands last, but its value is expected after it"),
+        (["a.obj", "-o", "a.jpg"], "-o is 'a.jpg', but a name that ends in .png or .ppm"),
+        (["a.obj", "-o", "png"], "-o is 'png', but a name that ends in .png or .ppm"),
+        (["a.obj", "--width", "0"], "--width is '0', but a number of pixels from 1 to 16384"),
+        (["a.obj", "--width", "16385"], "--width is '16385', but a number of pixels from 1 to"),
+        (["a.obj", "--height", "3x"], "--height is '3x', but a number of pixels from 1 to 16384"),
+        (["a.obj", "--height", "-3"], "--height is '-3', but a number of pixels from 1 to 16384"),
+        (["a.obj", "--depth", "3"], "there is no option '--depth'"),
+        (["a.obj", "--depth"], "there is no option '--depth'"),
     ],
 )
-def test_bad_arguments_give_the_usage(arguments: list[str], reference_build: Path) -> None:
-    """Arguments that make no sense give the usage and exit status 2."""
+def test_bad_arguments_are_named(
+    arguments: list[str], why: str, reference_build: Path
+) -> None:
+    """What makes no sense, what would, and the usage; exit status 2."""
     done = run(reference_build / "preview", *arguments)
     assert done.returncode == 2
-    assert done.stderr.startswith("usage: preview MODEL.obj")
+    first, second, *_ = done.stderr.splitlines()
+    assert first.startswith(f"preview: {why}")
+    assert second.startswith("usage: preview MODEL.obj")

@@ -13,6 +13,8 @@ from typing import Any
 import numpy as np
 
 Arrays = Mapping[str, Any]
+"""`vertices` (V, 3) float32, `faces` (F, 3) uint32, `camera` and `scattered` (R, 8) float32."""
+
 MOST_RAYS = 65_536
 
 

@@ -2,12 +2,13 @@
 
 A host without a way to hide a check gets one entry for all that are hidden or wait for the due
 date: their points belong to the sum, and nothing else of them is told. A fault of the grader is
-told in one fixed sentence, since its message is a traceback for a maintainer.
+told in one fixed sentence, since its message may name files of a machine.
 """
 
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from grader.errors import FAILED_HERE
 from grader.language import Words
 from grader.report.as_json import Json
 from grader.report.facts import costs
@@ -90,8 +91,13 @@ def not_shown(hidden: list[Json], words: Words) -> Entry:
         "broken" if broken else "pass" if holds else "fail",
         None if broken else sum(scores),
         sum(one["max_score"] for one in hidden),
-        words("The grader itself failed here; it costs no points.") if broken else "",
+        undecided(words) if broken else "",
     )
+
+
+def undecided(words: Words) -> str:
+    """Say that a fault of ours decided nothing, and costs nothing."""
+    return words(FAILED_HERE).format(kind="")
 
 
 def explained(check: Json, secret: set[str], words: Words) -> Iterator[str]:
@@ -99,7 +105,7 @@ def explained(check: Json, secret: set[str], words: Words) -> Iterator[str]:
     if check["verdict"] == "fail":
         yield from failure(check, words)
     elif check["verdict"] == "broken":
-        yield words("The grader itself failed here; it costs no points.")
+        yield undecided(words)
     elif check["blocked_by"] in secret:
         yield words("waits for a check that is not shown")
     elif check["blocked_by"] is not None:

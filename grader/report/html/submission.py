@@ -31,9 +31,9 @@ def to_html(result: Json, views: Json | None, language: str, hints: bool = True)
     Raises:
         OutputFault: The views are too large, or packed otherwise than they should be.
     """
-    words, seen = translator(language), views or NOTHING
-    shown = models(seen, words, teller(language))
-    failed = [spoken(one, teller(language)) for one in failures(result, seen, words)]
+    words, told, seen = translator(language), teller(language), views or NOTHING
+    shown = models(seen, words, told)
+    failed = [spoken(one, told) for one in failures(result, seen, words)]
     if not hints:
         failed = [replace(one, cause="", hints=()) for one in failed]
     idle = [not_started(part, words) for part in idle_parts(result)]
@@ -43,11 +43,15 @@ def to_html(result: Json, views: Json | None, language: str, hints: bool = True)
         **head(result, words),
         "failures": failed,
         "idle": idle,
-        "broken": [one for one in result["checks"] if one["verdict"] == "broken"],
+        "broken": [
+            one | {"message": told(one["message"])}
+            for one in result["checks"]
+            if one["verdict"] == "broken"
+        ],
         "groups": groups(result, words),
         "pictures": pictures(seen, not wrong_pictures(result), words),
         "legends": legends(),
-        "messages": [message(one) for one in messages(result, teller(language))],
+        "messages": [message(one) for one in messages(result, told)],
         "facts": facts(result, words),
         "has_models": bool(shown),
     }
