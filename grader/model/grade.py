@@ -24,10 +24,7 @@ class Criterion:
     part: str
     points: float
     gate: bool
-    """If no case passes, or too few do, the whole part earns nothing."""
-
-    gate_share: float
-    """From 0 to 1: too few are less than this share of the cases; 0 of what is no gate."""
+    """If no case passes, or it is bypassed in most, the whole part earns nothing."""
 
     visibility: str
     """`visible`, `hidden` or `after_due_date`."""

@@ -45,6 +45,9 @@ class Evidence:
     forfeits: bool = False
     """Of a failure: whether it costs all points of its check, whatever other cases show."""
 
+    bypassed: bool = False
+    """Of a failure: whether what is examined was gone around, and so did not matter at all."""
+
     too_small: bool = False
     """Of `examined == 0`: whether the case is wrong, but too small to tell in what way."""
 

@@ -70,12 +70,8 @@ def points(rubric: Rubric) -> str:
         if rest := [one for one in mine if one.visibility != VISIBLE]:
             lines += [f"| {_total(rest)} | what is not shown before the due date, or at all |"]
         lines += [""]
-    gates = [one for one in rubric.criteria if one.gate and one.visibility == VISIBLE]
-    if gates:
+    if any(one.gate and one.visibility == VISIBLE for one in rubric.criteria):
         lines += ["If a gate passes nowhere, its part earns nothing.", ""]
-    for one in gates:
-        if one.gate_share:
-            lines += [f"`{one.check}` has to pass in {one.gate_share:.0%} of its cases.", ""]
     return "\n".join(lines)
 
 

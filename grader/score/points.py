@@ -1,7 +1,7 @@
 """How many points does each check and each part earn, and what is the student told?
 
 Theory of operation: a criterion earns points x passed / max(examined, planned / 2), rounded
-down to quarters; nothing, if a case forfeits them. A gate that passes nowhere, or too seldom,
+down to quarters; nothing, if a case forfeits them. A gate that passes nowhere, or is bypassed,
 takes the points of its part, and the gate of both parts those of both. Our own fault counts in
 the student's favour here, and `final_score` withholds the sum, so that nobody mistakes it for
 a grade.
@@ -216,7 +216,7 @@ def _behind_gates(
     closed: dict[str, str] = {}
     for gate in (one for one in criteria if one.gate and one.check in tallies):
         of = tallies[gate.check]
-        if (of.planned or of.failed or of.blocked) and not of.opens(gate.gate_share):
+        if (of.planned or of.failed or of.blocked) and not of.opens:
             closed.setdefault(gate.part, gate.check)
     gates = [closed.get(BOTH) or closed.get(score.part) for score in scores]
     how_far = {id: "nearly " if tallies[id].passed else "" for id in closed.values()}

@@ -123,7 +123,7 @@ def _criteria(root: Table, shipped: dict[str, Criterion] | None) -> tuple[Criter
 
 
 def _criterion(table: Table, shipped: dict[str, Criterion] | None) -> Criterion:
-    table.only("check", "part", "points", "gate", "gate_share", "visibility")
+    table.only("check", "part", "points", "gate", "visibility")
     known: Iterable[str] | None = shipped
     check = table.text("check") if known is None else table.choice("check", known)
     parts = (*PARTS, BOTH) if shipped is None else (shipped[check].part,)
@@ -133,16 +133,10 @@ def _criterion(table: Table, shipped: dict[str, Criterion] | None) -> Criterion:
         raise table.fault(
             "points", f"{points:g}", f'0, because "{check}" stands before both parts'
         )
-    gate, share = table.flag("gate", absent=False), 0.0
-    if table.has("gate_share"):
-        share = table.number("gate_share", least=0, most=1)
-        if not gate:
-            raise table.fault("gate_share", f"{share:g}", "nothing, where gate is not true")
     return Criterion(
         check=check,
         part=part,
         points=points,
-        gate=gate,
-        gate_share=share,
+        gate=table.flag("gate", absent=False),
         visibility=table.choice("visibility", VISIBILITIES, absent="visible"),
     )

@@ -14,6 +14,9 @@ from grader.model.verdict import Finding, Verdict
 _STEPS = 4
 """Points come in quarters."""
 
+_MOST = Fraction(3, 4)
+"""Of the cases of a gate: who bypasses it in so many has not passed it in the others."""
+
 Placed = Mapping[tuple[str, str], Finding]
 """Findings by check id and case name."""
 
@@ -43,10 +46,12 @@ class Tally:
         """Whether at least half of what was planned could be examined."""
         return 2 * _weight(self.every) >= self.planned
 
-    def opens(self, share: float) -> bool:
-        """Whether a gate is open: it passes somewhere, and in so many of its cases."""
-        passed = _weight(self.passed)
-        return bool(self.undecided) or (passed > 0 and passed >= share * _weight(self.every))
+    @property
+    def opens(self) -> bool:
+        """Whether a gate is open: it passes somewhere, and is not bypassed in most cases."""
+        around = _weight(one for one in self.failed if one.evidence.bypassed)
+        seldom = bool(self.passed) and around < _MOST * _weight(self.every)
+        return seldom or bool(self.undecided)
 
     @property
     def share(self) -> Fraction:

@@ -128,9 +128,8 @@ def test_a_gate_is_called_so() -> None:
     """It is worth nothing by itself, and everything if it fails."""
     told = points(load_rubric())
     (readable,) = [line for line in told.splitlines() if "`bvh.is-readable`" in line]
-    used, share = (line for line in told.splitlines() if "`work.uses-the-tree`" in line)
+    (used,) = [line for line in told.splitlines() if "`work.uses-the-tree`" in line]
     assert readable.startswith("| gate | ")
     assert used.startswith("| 2, gate | ")
     assert "| 0 |" not in told
-    assert "If a gate passes nowhere, its part earns nothing.\n" in told
-    assert share == "`work.uses-the-tree` has to pass in 25% of its cases."
+    assert told.endswith("If a gate passes nowhere, its part earns nothing.\n")

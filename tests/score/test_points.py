@@ -122,19 +122,29 @@ def test_a_gate_that_passes_once_is_open(gate: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("gate", "earned"), [("PFFFF", 0), ("PFFF", 4), ("PKFFFF", 4), ("PBBBB", 0)]
+    ("gate", "earned"),
+    [("PAAA", 0), ("PAAF", 4), ("PFFFFF", 4), ("PKAAAAA", 4), ("PBAAAAAAA", 0)],
 )
-def test_a_gate_may_ask_for_a_share_of_its_cases(gate: str, earned: float) -> None:
-    """So nobody opens it by the smallest case alone; our own fault does not close it."""
-    asking = [replace(one, gate_share=0.25 * one.gate) for one in rubric().criteria]
+def test_a_gate_that_is_mostly_bypassed_is_closed(gate: str, earned: float) -> None:
+    """Nobody opens it by the smallest case, going Around all others; a failure is no such way.
+
+    Our own fault does not close it.
+    """
+    around = Evidence(1, 1, bypassed=True)
     findings = [
         *found(SURVIVES, "F" * len(gate)),
-        *found(READABLE, gate, reason=SURVIVES),
+        *found(READABLE, gate.replace("A", "F"), reason=SURVIVES),
         *found(BOXES, "PP"),
     ]
+    findings = [
+        replace(each, evidence=around)
+        if each.check == READABLE and gate[int(each.case.split()[1])] == "A"
+        else each
+        for each in findings
+    ]
     checks = [(READABLE, "readable"), (BOXES, "boxes"), (SURVIVES, "survives")]
-    weighed = replace(rubric(), criteria=tuple(asking))
-    boxes = score_checks(weighed, checks, findings, {READABLE: 4, BOXES: 2}, STARTED)[1]
+    plan = {READABLE: 4, BOXES: 2}
+    boxes = score_checks(rubric(), checks, findings, plan, STARTED)[1]
     assert boxes.score == earned
     assert ("fails nearly everywhere" in boxes.message) == (not earned)
 

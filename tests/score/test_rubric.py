@@ -81,12 +81,6 @@ def test_the_other_reading_of_leaves_is_accepted(tmp_path: Path) -> None:
         ),
         ("gate = true", "gates = true", 'unknown key `gates`.* did you mean "gate"'),
         ("gate = true", "gate = 1", "gate is 1, but expected is true or false"),
-        ("gate_share = 0.25", "gate_share = 25", "gate_share is 25, but expected is a number"),
-        (
-            "points = 3",
-            "points = 3\ngate_share = 0.5",
-            "gate_share is 0.5, but expected is noth",
-        ),
         ("points = 3", "points = -3", "points is -3, but expected is a number from 0 to 1000"),
         ("points = 3", "points = nan", "points is nan, but"),
         ("points = 3", "points = inf", "points is inf, but"),
