@@ -223,7 +223,7 @@ def test_what_was_made_of_a_mesh_is_told(tmp_path: Path) -> None:
     origin = of_file(file).origin
     assert origin == (
         "the mesh was moved and scaled into the cube from -1 to 1; "
-        "1 faces without any area were left out"
+        "1 face without any area was left out"
     )
     assert teller("de")(origin) == (
         "das Netz wurde in den Würfel von -1 bis 1 verschoben und skaliert; "
