@@ -227,5 +227,5 @@ def test_what_was_made_of_a_mesh_is_told(tmp_path: Path) -> None:
     )
     assert teller("de")(origin) == (
         "das Netz wurde in den Würfel von -1 bis 1 verschoben und skaliert; "
-        "1 Dreiecke ohne Inhalt wurden weggelassen"
+        "1 Dreieck ohne Inhalt wurde weggelassen"
     )
