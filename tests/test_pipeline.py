@@ -1,7 +1,6 @@
 """One path becomes one grade: the same one every time, and never a traceback."""
 
 import json
-import time
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -14,9 +13,8 @@ from grader.build.compile import compile_submission
 from grader.build.compiling import Compilation
 from grader.certify.corpus import corpus_folder
 from grader.errors import UsageError
-from grader.intake.locate import locate
 from grader.model.grade import Grade, Limits
-from grader.model.stages import Build, Rejected, Stop, Submission
+from grader.model.stages import Build, Stop, Submission
 from grader.model.verdict import Verdict
 from grader.options import Options
 from grader.oracle.plan import deeper_trials, make_plan
@@ -25,10 +23,9 @@ from grader.report.as_json import schema_text, to_json
 from grader.resources import reference_source, stub_folder
 from grader.rounds import budget_of
 from grader.run.trials import Budget, Engines
-from grader.sandbox.box import Isolation
 from grader.sandbox.nursery import Nursery
 from grader.sandbox.scratch import scratch_folder
-from grader.sandbox.selftest import proved_isolation, unconfined
+from grader.sandbox.selftest import proved_isolation
 from grader.score.rubric import SHIPPED
 from grader.selection import select
 from grader.solution import Solution
@@ -195,30 +192,6 @@ def test_what_is_no_source_is_rejected(tmp_path: Path, name: str) -> None:
     grade = graded(tmp_path / name)
     assert (grade.score, grade.build, grade.needs_review) == (0, None, False)
     jsonschema.validate(to_json(grade), json.loads(schema_text()))
-
-
-def test_the_whole_grade_is_timed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Reading and the proof of isolation count, though they take none of the student's time."""
-    slept = 0.2
-
-    @cache
-    def proved() -> Isolation:
-        time.sleep(slept)
-        return unconfined()
-
-    def read(path: Path, limit: int) -> Submission | Rejected:
-        time.sleep(slept)
-        return locate(path, limit)
-
-    monkeypatch.setattr(pipeline, "proved_isolation", proved)
-    monkeypatch.setattr(pipeline, "locate", read)
-    (tmp_path / "nothing.cpp").touch()
-    told: list[str] = []
-    options = Options(41, None, (), lambda stage, *_: told.append(stage))
-    spent = grade_one(tmp_path / "nothing.cpp", options).timing
-    assert told == [name for name, _ in spent.stages] == ["intake", "isolation"]
-    assert all(seconds >= slept for _, seconds in spent.stages)
-    assert spent.total >= spent.grader >= sum(seconds for _, seconds in spent.stages)
 
 
 def test_only_the_asked_checks_are_scored() -> None:

@@ -19,7 +19,7 @@ from grader.batch.work import Failed, Order, Refused, unlike
 from grader.errors import UsageError
 from grader.gradebook.results import parsed_json, parsed_result
 from grader.kept import Result
-from grader.model.stages import Submission
+from grader.model.stages import SOURCE_NAME, Submission
 from grader.output import VIEWS
 from grader.package.archive import zipped
 from grader.package.course import RUBRIC, course_files
@@ -27,7 +27,7 @@ from grader.plain import as_name
 from grader.report.facts import counterexample_file
 from grader.sandbox.office import Done, Gone
 
-NOBODY, FILE = "submission", "exercise03.cpp"
+NOBODY = "submission"
 """What a submission is called where nobody has to know whose it is."""
 
 LARGEST_ANSWER = 64 << 20
@@ -75,7 +75,7 @@ def read_order(letter: bytes) -> tuple[Order, Terms]:
     told = json.loads(letter)
     source = base64.b64decode(told["source"])
     digest = hashlib.sha256(source).hexdigest()
-    submission = Submission(NOBODY, FILE, source, digest)
+    submission = Submission(NOBODY, SOURCE_NAME, source, digest)
     wish = Wish(told["seed"], None, told["time_limit"], told["isolated"])
     return Order(submission, wish, Settings(**told["settings"])), Terms(**told["terms"])
 

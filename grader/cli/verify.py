@@ -16,6 +16,7 @@ from grader.cli.order import Order, ordered
 from grader.cli.status import FULL_MARKS, LOST_POINTS, OUR_FAULT
 from grader.errors import UsageError
 from grader.gradebook.known import class_of
+from grader.model.stages import SOURCE_NAME
 from grader.report.escape import line_for_terminal
 
 if TYPE_CHECKING:
@@ -88,7 +89,7 @@ def submitted(result: Path, named: Path | None, sha256: str | None) -> Iterator[
     with read_store(home) as store:
         source = store.source(sha256)
     with TemporaryDirectory() as folder:
-        path = Path(folder) / "exercise03.cpp"
+        path = Path(folder) / SOURCE_NAME
         path.write_bytes(source)
         yield path
 

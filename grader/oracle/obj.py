@@ -1,8 +1,9 @@
 """What does an OBJ file hold? Its vertices and faces, or which line is wrong and why.
 
 The grader reads OBJ itself, by the rules and with the messages of
-`student_stub/preview/obj.cpp`: trimesh names no line, and counts negative numbers from the end
-of the file.
+`student_stub/preview/obj.cpp`, since trimesh (5.2.0) makes another mesh of some files without a
+word: it counts negative numbers from the end of the file, takes 0 for 1 and drops faces of two
+corners. Nor does it name a line.
 """
 
 from array import array

@@ -11,11 +11,11 @@ from typing import Any
 
 from grader.errors import OutputFault
 from grader.model.grade import CheckScore, Grade, Timing
-from grader.model.stages import Build, Diagnostic, Rejected, Submission
+from grader.model.stages import SOURCE_PATH, Build, Diagnostic, Rejected, Submission
 from grader.model.verdict import Example
 from grader.plain import one_line
 from grader.report.escape import for_json
-from grader.report.facts import FILE, counterexample_file, place, withheld
+from grader.report.facts import counterexample_file, place, withheld
 from grader.report.hints import likely_cause
 
 Json = dict[str, Any]
@@ -115,7 +115,7 @@ def location(grade: Grade, score: CheckScore) -> Json | None:
     found = place(grade, score)
     if found is None:
         return None
-    return {"file": FILE, "line": found.line, "function": found.function}
+    return {"file": SOURCE_PATH, "line": found.line, "function": found.function}
 
 
 def counterexample(score: CheckScore) -> Json | None:

@@ -6,15 +6,12 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from grader.model.grade import CheckScore, Grade, PartScore
-from grader.model.stages import SOURCE_PATH, Rejected
+from grader.model.stages import Rejected
 from grader.model.verdict import Verdict
 from grader.plain import as_name
 
 if TYPE_CHECKING:
     from grader.model.counterexample import Counterexample
-
-FILE = SOURCE_PATH
-"""Name of the student's file in every message, wherever it really lies."""
 
 FOLDER = "counterexamples"
 """Where the files of counterexamples lie, beside `result.json`."""

@@ -9,8 +9,8 @@ from rich.text import Text
 
 from grader.language import Words
 from grader.model.grade import CheckScore, Grade
-from grader.model.stages import Rejected
-from grader.report.facts import FILE, counterexample_file, place, size_of
+from grader.model.stages import SOURCE_PATH, Rejected
+from grader.report.facts import counterexample_file, place, size_of
 from grader.report.hints import WITH_CAUSE, hints
 from grader.report.nodes import node_table
 from grader.report.sheet import STYLES, Sheet
@@ -135,7 +135,9 @@ def look_at(sheet: Sheet, grade: Grade, score: CheckScore) -> None:
         return
     line = "" if found.line is None else f":{found.line}"
     function = found.function or sheet.words("this file")
-    told = sheet.words("{place} in {function}").format(place=f"{FILE}{line}", function=function)
+    told = sheet.words("{place} in {function}").format(
+        place=f"{SOURCE_PATH}{line}", function=function
+    )
     sheet.beside("look at", told)
     if found.exact and found.line is not None:
         excerpt(sheet, grade, found.line)
@@ -163,7 +165,7 @@ def compile_errors(sheet: Sheet, grade: Grade) -> None:
     errors = [one for one in said if one.severity == "error"]
     for one in errors[:SHOWN_ERRORS]:
         column = f":{one.column}" if one.column else ""
-        where = f"{FILE}:{one.line}{column}: " if one.line else ""
+        where = f"{SOURCE_PATH}:{one.line}{column}: " if one.line else ""
         sheet.beside("error", where + one.text)
         if one.line:
             excerpt(sheet, grade, one.line)

@@ -114,15 +114,6 @@ class Budget:
         wall = min(allowed * self._limits.wall_factor, left)
         return Allowance(allowed, wall) if left > 0 else None
 
-    def judged(self, trial: Trial, seconds: float) -> None:
-        """Count what it took to judge a trial as use of the time: CPU seconds of ours.
-
-        A right answer takes a part of a second. Who makes it much more, and has no time left at
-        the end, did not stand in line.
-        """
-        with self._lock:
-            self._used[part_of(trial)] += seconds
-
     def blamed(self, trial: Trial, ending: Ending, allowed: Allowance | None) -> Ending:
         """Remember how a trial ended, and tell whether a time-out is the submission's.
 
@@ -173,10 +164,7 @@ def run_trials(
         try:
             for number, future in enumerate(futures):
                 progress(number, len(futures))
-                cases = future.result()
-                begun = time.thread_time()
-                yield cases
-                budget.judged(runnable[number], time.thread_time() - begun)
+                yield future.result()
         finally:
             for future in futures:
                 future.cancel()

@@ -213,21 +213,21 @@ def _idle(scores: Sequence[CheckScore], started: Collection[str]) -> tuple[Check
 def _behind_gates(
     scores: Sequence[CheckScore], criteria: Iterable[Criterion], tallies: Mapping[str, Tally]
 ) -> tuple[CheckScore, ...]:
-    closed: dict[str, str] = {}
+    closed: dict[str, tuple[str, str]] = {}
     for gate in (one for one in criteria if one.gate and one.check in tallies):
         of = tallies[gate.check]
         if (of.planned or of.failed or of.blocked) and not of.opens:
-            closed.setdefault(gate.part, gate.check)
-    gates = [closed.get(BOTH) or closed.get(score.part) for score in scores]
-    how_far = {id: "nearly " if tallies[id].passed else "" for id in closed.values()}
-    return tuple(
-        score
-        if gate is None or score.check == gate
-        else _worthless(
-            score, f"earns nothing because `{gate}` fails {how_far[gate]}everywhere", gate
-        )
-        for score, gate in zip(scores, gates, strict=True)
-    )
+            where = "nearly everywhere" if of.passed else "everywhere"
+            closed.setdefault(gate.part, (gate.check, where))
+    return tuple(_behind(score, closed.get(BOTH) or closed.get(score.part)) for score in scores)
+
+
+def _behind(score: CheckScore, gate: tuple[str, str] | None) -> CheckScore:
+    """Take the points behind a closed gate: its check, and where that fails."""
+    if gate is None or score.check == gate[0]:
+        return score
+    check, where = gate
+    return _worthless(score, f"earns nothing because `{check}` fails {where}", check)
 
 
 def _worthless(score: CheckScore, message: str, gate: str | None) -> CheckScore:

@@ -49,9 +49,9 @@ class Tally:
     @property
     def opens(self) -> bool:
         """Whether a gate is open: it passes somewhere, and is not bypassed in most cases."""
-        around = _weight(one for one in self.failed if one.evidence.bypassed)
-        seldom = bool(self.passed) and around < _MOST * _weight(self.every)
-        return seldom or bool(self.undecided)
+        bypassed = _weight(one for one in self.failed if one.evidence.bypassed)
+        is_passed = bool(self.passed) and bypassed < _MOST * _weight(self.every)
+        return is_passed or bool(self.undecided)
 
     @property
     def share(self) -> Fraction:

@@ -22,6 +22,10 @@ TELLING = 2 * EVIDENCE
 MOST = 256
 """Nodes of a tree, the largest ones, in which faces on the wrong side are counted."""
 
+MOST_SHARE = 21
+"""So many times the mesh's faces they hold together: all levels of a right tree hold no more.
+Where nodes that share their faces hold more, the others are not looked into."""
+
 _NEAR, _FAR = 8, 4
 """Up to every eighth face of a half on the wrong side is a slip; from every fourth on, the
 faces are not ordered along that axis at all: where nothing is ordered, every second one is."""
@@ -49,7 +53,7 @@ def judge(mesh: Mesh, bvh: Bvh, found: Splits) -> Judged:
     weight = _weight(bvh, found)
     some = np.flatnonzero(~explained)
     wrong[some] = True
-    some = some[:MOST]
+    some = some[: _most(mesh, bvh, found.node[some])]
     off = _off(mesh, bvh, found.node[some])
     wrong[some] = _far(off, weight[some], found.longest[some])
     return Judged(explained, np.asarray(wrong & (weight[wrong].sum() >= EVIDENCE)))
@@ -61,7 +65,8 @@ def _judge_large(mesh: Mesh, bvh: Bvh, found: Splits) -> Judged:
     On an axis on which all centres agree, every order is one: such a split is like one without.
     """
     weight = _weight(bvh, found)
-    some = np.flatnonzero(weight >= TELLING)[:MOST]
+    some = np.flatnonzero(weight >= TELLING)
+    some = some[: _most(mesh, bvh, found.node[some])]
     weight, longest = weight[some], found.longest[some]
     off = _off(mesh, bvh, found.node[some])
     near = found.ordered[some] | (off <= (weight // 2 // _NEAR)[:, None])
@@ -82,6 +87,12 @@ def _weight(bvh: Bvh, found: Splits) -> Integers:
     left, right = 2 * found.node + 1, 2 * found.node + 2
     held = bvh.end.astype(np.int64) - bvh.begin
     return np.asarray(2 * np.minimum(held[left], held[right]))
+
+
+def _most(mesh: Mesh, bvh: Bvh, node: Integers) -> int:
+    """Tell how many nodes, (K,) int64, are looked into: the first ones."""
+    held = (bvh.end[node[:MOST]].astype(np.int64) - bvh.begin[node[:MOST]]).cumsum()
+    return int(np.searchsorted(held, MOST_SHARE * len(mesh.faces), side="right"))
 
 
 def _far(off: Integers, weight: Integers, longest: Mask) -> Mask:

@@ -139,13 +139,15 @@ def of_file(path: Path) -> Subject:
 
         content = read(path)
         return of_trial(content.check, trial_of(content), content.message)
-    if path.suffix.lower() in (".obj", ".ply", ".stl", ".off"):
-        from grader.oracle.imported import read_model
+    from grader.oracle.imported import FORMATS, read_model
 
-        mesh, remark = read_model(path)
-        origin = "; ".join(filter(None, (SCALED, remark)))
-        return Subject(path.stem, path.stem, mesh, around(mesh), origin=origin)
-    raise UsageError(f"{path}: a mesh (.obj, .ply) or a counterexample (.json) was expected")
+    if path.suffix.lower() not in {f".{each}" for each in FORMATS}:
+        raise UsageError(
+            f"{path}: a mesh (.obj, .ply) or a counterexample (.json) was expected"
+        )
+    mesh, remark = read_model(path)
+    origin = "; ".join(filter(None, (SCALED, remark)))
+    return Subject(path.stem, path.stem, mesh, around(mesh), origin=origin)
 
 
 def told_of(subject: Subject, words: Words, messages: Words = str) -> str:

@@ -132,12 +132,3 @@ def test_other_ends_have_nothing_to_do_with_the_clock(stop: Stop) -> None:
     """A crash on a busy machine is a crash."""
     ending = Ending(stop, "", 1.0, 1.0, "", delayed_seconds=0.9)
     assert Budget(LIMITS, 60.0).blamed(TRIAL, ending, ALLOWED) == ending
-
-
-def test_an_answer_that_is_hard_to_judge_takes_its_own_time() -> None:
-    """Nobody stands in line because we judge what he made so large; others do."""
-    careless = Budget(LIMITS, 100.0)
-    careless.judged(TRIAL, 1.5)
-    assert careless.blamed(TRIAL, NOT_BEGUN, None).crowded
-    careless.judged(TRIAL, 30.0)
-    assert not careless.blamed(TRIAL, NOT_BEGUN, None).crowded

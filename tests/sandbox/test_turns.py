@@ -63,27 +63,6 @@ def test_who_was_crowded_is_tried_alone(crowded: bool, monkeypatch: pytest.Monke
     assert set(second) <= {1}
 
 
-def test_what_is_done_with_an_answer_counts_for_its_trial(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    """The CPU time of whoever takes the cases, until the next ones are asked for."""
-    done = replace(LATE, stop=Stop.FINISHED)
-    monkeypatch.setattr(module, "_tried", Tried(done))
-    monkeypatch.setattr(Engines, "of", lambda *_: object())
-    judged = list[tuple[str, float]]()
-    monkeypatch.setattr(
-        Budget, "judged", lambda _, trial, spent: judged.append((trial.name, spent))
-    )
-    trials = [replace(TRIAL, name=name) for name in ("hard", "easy")]
-    engines = Engines(cast(Engine, None))
-    for cases in run_trials(trials, engines, Budget(LIMITS, 100.0), lambda *_: None):
-        until = time.thread_time() + 0.2 * (cases[0].name == "hard")
-        while time.thread_time() < until:
-            pass
-    assert [name for name, _ in judged] == ["hard", "easy"]
-    assert judged[0][1] >= 0.2 > judged[1][1]
-
-
 def test_nobody_begins_while_one_wants_to_be_alone() -> None:
     """The one that waits comes next, however many others there are."""
     turns, told = Turns(), list[str]()

@@ -121,11 +121,19 @@ def test_a_missing_file_is_named(name: str, reference_build: Path, tmp_path: Pat
 def test_a_tiny_coordinate_is_the_nearest_float(
     tiny: str, reference_build: Path, tmp_path: Path
 ) -> None:
-    """Zero or a denormal, as the compiler reads it; other programs write such numbers."""
-    model = tmp_path / "m.obj"
-    model.write_text(f"v {tiny} 0 0\nv 1 {tiny} 0\nv 0 1 0\nf 1 2 3\n")
-    done = run(reference_build / "preview", model, "-o", tmp_path / "a.ppm", "--width", "8")
-    assert done.returncode == 0, done.stderr
+    """Zero or a denormal, as the compiler reads it, so the picture is that of zero.
+
+    Other programs write such numbers.
+    """
+    for name, number in (("tiny", tiny), ("zero", "0")):
+        model = tmp_path / f"{name}.obj"
+        model.write_text(f"v {number} 0 0\nv 1 {number} 0\nv 0 1 0\nf 1 2 3\n")
+        output = tmp_path / f"{name}.ppm"
+        done = run(reference_build / "preview", model, "-o", output, "--width", "64")
+        assert done.returncode == 0, done.stderr
+    picture = (tmp_path / "tiny.ppm").read_bytes()
+    assert picture == (tmp_path / "zero.ppm").read_bytes()
+    assert len(set(picture)) > 10
 
 
 @pytest.mark.parametrize("output", ["absent/a.png", "taken.png"])

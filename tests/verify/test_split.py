@@ -3,8 +3,9 @@
 import numpy as np
 import pytest
 
-from grader.model.mesh import Floats, Mesh
+from grader.model.mesh import Bvh, Floats, Integers, Mesh
 from grader.model.verdict import Evidence, Verdict
+from grader.verify import axis as module
 from grader.verify.split import splits_at_the_median, splits_the_longest_axis
 from tests.verify.builder import (
     Reading,
@@ -243,3 +244,37 @@ def test_only_nodes_that_their_children_partition_are_judged() -> None:
     """A lost face is the partition's mistake, not the split's."""
     bvh = changed(BVH, "end", 2, 36)
     assert splits_at_the_median.decide(tree_case(MESH, bvh)).examined == 10
+
+
+@pytest.mark.parametrize("shared", [True, False])
+def test_nodes_that_share_faces_are_judged_for_so_long_only(
+    shared: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """85 nodes of all faces take no longer than a right tree's levels, which are all seen."""
+    mesh = soup(256)
+    # Along no axis are its halves in order.
+    wrong = build(mesh, Reading(centre=lambda a, *_: np.zeros_like(a)))
+    bvh = each_second_level_whole(mesh, wrong) if shared else wrong
+    seen: list[int] = []
+
+    def counted(mesh: Mesh, bvh: Bvh, node: Integers) -> Integers:
+        seen.extend(int(bvh.end[one] - bvh.begin[one]) for one in node)
+        return judged(mesh, bvh, node)
+
+    judged = module._off
+    monkeypatch.setattr(module, "_off", counted)
+    splits_the_longest_axis.decide(tree_case(mesh, bvh))
+    levels = [256, *2 * [128], *4 * [64], *8 * [32]]
+    assert seen == ([256] * module.MOST_SHARE if shared else levels)
+
+
+def each_second_level_whole(mesh: Mesh, bvh: Bvh) -> Bvh:
+    """Give the nodes of each second level all faces, and their children one half each."""
+    count, half = len(mesh.faces), len(mesh.faces) // 2
+    begin, end = np.zeros((2, 255), np.uint32)
+    for node in range(255):
+        whole = (node + 1).bit_length() % 2
+        begin[node] = 0 if whole or node % 2 else half
+        end[node] = half if not whole and node % 2 else count
+    low, high = (np.resize(one[0], (255, 3)) for one in (bvh.low, bvh.high))
+    return altered(bvh, low=low, high=high, begin=begin, end=end, node_count=255)

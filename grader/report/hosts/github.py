@@ -19,6 +19,7 @@ import hashlib
 from collections.abc import Iterator
 
 from grader.language import Words
+from grader.model.stages import SOURCE_PATH
 from grader.report.as_json import Json
 from grader.report.escape import (
     for_json,
@@ -27,7 +28,6 @@ from grader.report.escape import (
     for_workflow_property,
     line_for_terminal,
 )
-from grader.report.facts import FILE
 from grader.report.hosts.told import (
     Entry,
     entries,
@@ -109,8 +109,8 @@ def annotation(
 ) -> str:
     """Write one annotation, at the file's place in the repository as far as it is known."""
     line, column = place
-    path = str(result["submission"]["path"] or FILE)
-    file = path if "/" in path else FILE
+    path = str(result["submission"]["path"] or SOURCE_PATH)
+    file = path if "/" in path else SOURCE_PATH
     told = [f"file={for_workflow_property(file)}"]
     told += [f"line={line}"] if line else []
     told += [f"col={column}"] if line and column else []
@@ -149,7 +149,7 @@ def classroom_test(entry: Entry, words: Words) -> Json:
         "score": entry.score,
         "message": short(entry.text or headline_of(entry, words)),
         "test_code": f"bvhgrade check --only {entry.id}",
-        "filename": FILE,
+        "filename": SOURCE_PATH,
         "line_no": entry.line,
         "duration": 0,
     }

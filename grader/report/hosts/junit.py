@@ -10,9 +10,9 @@ properties; one that is withheld has none. There is no time stamp: a result hold
 from collections.abc import Iterator, Mapping
 
 from grader.language import Words
+from grader.model.stages import SOURCE_PATH
 from grader.report.as_json import Json
 from grader.report.escape import for_xml
-from grader.report.facts import FILE
 from grader.report.hosts.told import Entry, entries, headline, unbuilt
 
 TYPES = {
@@ -73,7 +73,12 @@ def counted(name: str, given: list[Entry], seconds: float) -> dict[str, object]:
 def test_case(entry: Entry, seconds: float, words: Words) -> Iterator[str]:
     """Write one check."""
     topic, _, statement = entry.id.partition(".")
-    named = {"classname": topic, "name": statement, "time": f"{seconds:.3f}", "file": FILE}
+    named = {
+        "classname": topic,
+        "name": statement,
+        "time": f"{seconds:.3f}",
+        "file": SOURCE_PATH,
+    }
     yield f"  <testcase{attributes(named)}>"
     score = {} if entry.score is None else {"points": entry.score}
     yield from properties("   ", {"title": entry.title, **score, "max_points": entry.max_score})

@@ -7,9 +7,10 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from grader.language import Words
+from grader.model.stages import SOURCE_PATH
 from grader.output import OUTPUT
 from grader.phrases import counted
-from grader.report.facts import FILE, costs, root
+from grader.report.facts import costs, root
 from grader.report.hints import cause_in, told
 
 Json = Mapping[str, Any]
@@ -227,12 +228,12 @@ def _hints(check: str, words: Words) -> list[tuple[str, str]]:
 def _commands(check: Json, result: Json, words: Words) -> list[tuple[str, str]]:
     if check["visibility"] != "visible":
         return []
-    again = f"bvhgrade check {FILE} --seed {result['provenance']['seed']}"
+    again = f"bvhgrade check {SOURCE_PATH} --seed {result['provenance']['seed']}"
     commands = [(words("Run this check again"), f"{again} --only {check['id']}")]
     if check["counterexample"] is not None:
         # From the exercise's folder, as the other names; where the page lies it cannot know.
         file = shlex.quote(f"{OUTPUT}/{check['counterexample']['file']}")
         commands.append((words("Run the smallest example alone"), f"{again} --replay {file}"))
-        viewer = f"bvhgrade view {FILE} --check {file}"
+        viewer = f"bvhgrade view {SOURCE_PATH} --check {file}"
         commands.append((words("Look at the smallest example from all sides"), viewer))
     return commands

@@ -5,8 +5,9 @@ from dataclasses import replace
 from typing import Any
 
 from grader.language import Words, translator
+from grader.model.stages import SOURCE_PATH
 from grader.phrases import teller
-from grader.report.facts import BEGIN, FILE, FUNCTIONS, NOT_STARTED
+from grader.report.facts import BEGIN, FUNCTIONS, NOT_STARTED
 from grader.report.hosts.told import VISIBLE, withheld
 from grader.report.html.findings import failures, idle_parts, points, spoken
 from grader.report.html.page import SIGNS, page
@@ -155,7 +156,7 @@ def _line(one: Json, words: Words) -> dict[str, str]:
 def message(given: Json) -> dict[str, str]:
     """Write where the compiler saw something."""
     column = f":{given['column']}" if given["column"] else ""
-    where = f"{FILE}:{given['line']}{column}" if given["line"] else ""
+    where = f"{SOURCE_PATH}:{given['line']}{column}" if given["line"] else ""
     return {"where": where, "severity": given["severity"], "text": given["text"]}
 
 
