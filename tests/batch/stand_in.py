@@ -25,7 +25,7 @@ from tests.report import samples
 
 ENTRY = "tests.batch.stand_in:graded"
 LOG = "BVHGRADE_TESTS_LOG"
-"""Names the file that gets a line for each grading that begins."""
+"""Names the file that gets a line for each grading that begins: the process and the text."""
 
 TRACEBACK = "Traceback of ours"
 
@@ -45,7 +45,13 @@ def anew(folder: Path) -> Job:
 
 def begun(log: Path) -> list[str]:
     """The texts of the submissions whose grading has begun so far."""
-    return log.read_text().splitlines() if log.exists() else []
+    return [text for _, text in taken_up(log)]
+
+
+def taken_up(log: Path) -> list[tuple[int, str]]:
+    """Which process began to grade which text, in this order."""
+    lines = log.read_text().splitlines() if log.exists() else []
+    return [(int(clerk), text) for clerk, _, text in (line.partition(" ") for line in lines)]
 
 
 def graded(order: Order, tell: Callable[[str], None]) -> Result | Failed:
@@ -55,7 +61,7 @@ def graded(order: Order, tell: Callable[[str], None]) -> Result | Failed:
     log = Path(os.environ[LOG])
     before = begun(log)
     with log.open("a") as file:
-        file.write(f"{text}\n")
+        file.write(f"{os.getpid()} {text}\n")
     tell("[red]tracing[/red]")
     if text == "die" or (text == "die once" and text not in before):
         os.kill(os.getpid(), signal.SIGKILL)

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from tests.batch.classes import CODE, folder_of, points
-from tests.batch.stand_in import LOG, begun
+from tests.batch.stand_in import LOG, begun, taken_up
 from tests.cli.test_processes import environment
 
 PATIENCE = 300.0
@@ -106,9 +106,13 @@ def test_a_killed_clerk_costs_one_try(tmp_path: Path, log: Path) -> None:
     with waiting(tmp_path, log) as (_, process):
         for tries in (1, 2):
             until(lambda tries=tries: begun(log).count("wait") == tries)  # type: ignore[misc]  # bound here
-            # The other one is free: its death costs nobody a try.
-            for clerk in clerks_of(log):
-                os.kill(clerk, signal.SIGKILL)
+            busy = [clerk for clerk, text in taken_up(log) if text == "wait"][-1]
+            # The other one is free: its death costs nobody a try. First, and until it is gone:
+            # it would get the order of the busy one, and then it dies over that.
+            for free in set(clerks_of(log)) - {busy}:
+                os.kill(free, signal.SIGKILL)
+                until(lambda free=free: not Path(f"/proc/{free}").exists())  # type: ignore[misc]
+            os.kill(busy, signal.SIGKILL)
         _, said = process.communicate(timeout=PATIENCE)
     assert process.returncode == 3
     assert b"SIGKILL" in said
