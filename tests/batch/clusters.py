@@ -61,15 +61,16 @@ class Machines:
 
     def end(self) -> None:
         """End all that are left; a worker that may end by itself tidies up."""
-        left = [each for each in (*self.workers, self.scheduler) if each is not None]
-        for process in left:
-            process.terminate()
-        for process in left:
-            try:
-                process.wait(TIDYING)
-            except subprocess.TimeoutExpired:
-                process.kill()
-                process.wait()
+        # The scheduler last: a worker says goodbye to it, and waits if nobody hears that.
+        for together in (self.workers, [each for each in (self.scheduler,) if each]):
+            for process in together:
+                process.terminate()
+            for process in together:
+                try:
+                    process.wait(TIDYING)
+                except subprocess.TimeoutExpired:
+                    process.kill()
+                    process.wait()
 
     def _started(self, code: str, *words: str, **more: str) -> Process:
         with (self.folder / "said").open("ab") as said:

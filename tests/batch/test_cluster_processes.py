@@ -87,6 +87,8 @@ def test_a_lost_scheduler_ends_the_command(tmp_path: Path, log: Path) -> None:
         assert (tmp_path / "out/class.csv").exists()
         kept = points(tmp_path / "out")
         assert set(kept) < set(ALL)
+        # The first worker waits for ever for a scheduler that is gone.
+        cluster.workers[0].kill()
         cluster.begin()
         cluster.hire()
         status, said = ended(started(path, log, cluster.address))
