@@ -9,11 +9,11 @@ from grader.gallery.gallery import Gallery
 from grader.model.cases import Case, DepthCase, MemoryCase, SurvivalCase, WorkCase
 from grader.model.grade import Grade, Limits, Rubric
 from grader.model.stages import Build, Stop, Submission
-from grader.model.trials import AlteredTrial, ImageTrial, Trial, WorkTrial
+from grader.model.trials import AlteredTrial, ImageTrial, Trial, WorkTrial, part_of
 from grader.options import Options
 from grader.oracle.plan import deeper_trials, depth_trial
 from grader.run.session import Engine
-from grader.run.trials import Budget, Engines, at_once, part_of, run_trials
+from grader.run.trials import Budget, Engines, at_once, run_trials
 from grader.solution import Solution, beside
 from grader.summary import Summary
 from grader.tolerances import LARGE_MESH

@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import grader
-from grader.diagnose.causes import likely_causes
+from grader.diagnose.causes import causes_by_part
 from grader.diagnose.notes import Notes
 from grader.model.cases import (
     AlteredCase,
@@ -18,13 +18,12 @@ from grader.model.cases import (
     TreeCase,
     WorkCase,
 )
-from grader.model.grade import Cause, CheckScore, Grade, Provenance, Timing
+from grader.model.grade import Grade, Provenance, Timing
 from grader.model.stages import PARTS, Build, Rejected, Stop, Submission
-from grader.model.trials import ImageTrial, Trial
+from grader.model.trials import ImageTrial, Trial, part_of
 from grader.model.verdict import Finding, Verdict
 from grader.options import Options, Progress
 from grader.oracle.scenes import scenes_sha256
-from grader.run.trials import part_of
 from grader.sandbox.streams import DROPPED
 from grader.score.points import (
     crashes_earn_nothing,
@@ -34,7 +33,7 @@ from grader.score.points import (
 )
 from grader.selection import Selection
 from grader.tolerances import FACES_PER_LEAF
-from grader.verify.engine import NOTHING, Examiner, looks_at
+from grader.verify.engine import NOTHING, Examiner
 from grader.verify.planned import kinds_of, planned_cases
 from grader.verify.tree import shape
 from grader.verify.work import excludes_most_triangles, unproven
@@ -173,7 +172,8 @@ class Summary:
             started,
         )
         scores = crashes_earn_nothing(scores, started & {"a"} & self._untouched - self._touched)
-        seconds, causes = self._examiner.seconds, self._causes(scores)
+        causes = causes_by_part(self._notes, scores, checks)
+        seconds = self._examiner.seconds
         scores = tuple(
             replace(one, seconds=seconds[one.check], cause=causes.get(one.check))
             for one in scores
@@ -199,22 +199,6 @@ class Summary:
         return "\n".join(
             f"{one.check} in {one.case}:\n{one.traceback}" for one in broken.values()
         )
-
-    def _causes(self, scores: Sequence[CheckScore]) -> dict[str, Cause]:
-        """Look for likely causes, which move no point.
-
-        Whoever may see some checks only must not learn from a cause what the others look at.
-        """
-        failed = {one.check for one in scores if one.verdict is Verdict.FAIL}
-        causes = likely_causes(self._notes, failed) if failed else {}
-        secret = {one.check for one in scores if one.visibility != "visible"}
-        if not secret:
-            return causes
-        known = {one.check for one in scores} - secret
-        shown = [each for each in self.selection.checks if each.id in known]
-        notes = self._notes.only(lambda case: any(looks_at(each, case) for each in shown))
-        told = likely_causes(notes, failed & known)
-        return {check: cause for check, cause in causes.items() if check in secret} | told
 
     def _started(self) -> set[str]:
         """Tell which parts no longer do what the given code does.

@@ -5,7 +5,8 @@ fail. It is named if nearly everything is as it foretells; of several the one th
 best and whose known failures are most like those at hand. A cause moves no point.
 """
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -15,7 +16,12 @@ from grader.diagnose.hypothesis import NOTHING, Hypothesis, Support
 from grader.diagnose.notes import Notes
 from grader.diagnose.patterns import explained, likeness
 from grader.errors import let_go
-from grader.model.grade import Cause
+from grader.model.cases import Case
+from grader.model.grade import Cause, CheckScore
+from grader.model.trials import part_of
+from grader.model.verdict import Verdict
+from grader.verify.check import Check
+from grader.verify.engine import looks_at
 
 SURE = 0.95
 """Share of places that have to be as foretold."""
@@ -25,6 +31,41 @@ WEIGHT_OF_PATTERN = 0.1
 
 HOPELESS = 20
 """After so many places that are otherwise, and half of all, nothing more is looked at."""
+
+
+def causes_by_part(
+    notes: Notes, scores: Sequence[CheckScore], checks: Sequence[Check]
+) -> dict[str, Cause]:
+    """Name the likely cause of failed checks, each from the cases of its own part.
+
+    Whoever may see some checks only must not learn from a cause what the others look at.
+
+    Args:
+        notes: What is kept of the run.
+        scores: All of the run.
+        checks: All that were decided.
+    """
+    secret = {one.check for one in scores if one.visibility != "visible"}
+    shown = [each for each in checks if each.id not in secret]
+    told = notes.only(lambda case: any(looks_at(each, case) for each in shown))
+    causes: dict[str, Cause] = {}
+    for part in {one.part for one in scores}:
+        mine = partial(_is_of, part=part)
+        failed = {
+            one.check for one in scores if one.part == part and one.verdict is Verdict.FAIL
+        }
+        every = likely_causes(notes.only(mine), failed)
+        if secret:
+            visible = likely_causes(told.only(mine), failed - secret)
+            every = {check: every[check] for check in every.keys() & secret} | visible
+        causes |= every
+    return causes
+
+
+def _is_of(case: Case, part: str) -> bool:
+    """What is said of the file alone is said of all parts."""
+    trial = getattr(case, "trial", None)
+    return trial is None or part_of(trial) == part
 
 
 def likely_causes(notes: Notes, failed: Collection[str]) -> dict[str, Cause]:

@@ -14,7 +14,6 @@ from grader.model.stages import Stop
 from grader.model.trials import RebuildTrial, Trial
 from grader.tolerances import FACES_PER_LEAF
 from grader.verify.source import construct_loops
-from grader.verify.structure import calls_construct
 from grader.verify.tree import centres
 
 LARGE = 5_000
@@ -58,12 +57,9 @@ Ended = Callable[[SurvivalCase], bool]
 
 
 def _endings(notes: Notes, bad: Ended) -> tuple[Sequence[SurvivalCase], Sequence[SurvivalCase]]:
-    """Return the cases that ended in a way, and the other ones of the same part."""
+    """Return the cases that ended in a way, and the other ones."""
     cases = notes.of(SurvivalCase)
-    chosen = [case for case in cases if bad(case)]
-    parts = {calls_construct(case.trial) for case in chosen}
-    rest = [case for case in cases if not bad(case) and calls_construct(case.trial) in parts]
-    return chosen, rest
+    return [case for case in cases if bad(case)], [case for case in cases if not bad(case)]
 
 
 def _by_detail(notes: Notes, words: str) -> Support:
@@ -145,7 +141,7 @@ def _has_ties(mesh: Mesh) -> bool:
 
 
 def endless(notes: Notes) -> Support:
-    """Nearly every case of a part ends by its time."""
+    """Nearly every case ends by its time."""
     failed, passed = _endings(notes, lambda case: case.ending.stop is Stop.TIMED_OUT)
     crashed = sum(case.ending.stop is not Stop.FINISHED for case in passed)
     if len(failed) < 4 * (len(passed) - crashed):

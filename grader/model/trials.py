@@ -157,3 +157,8 @@ Trial = (
     | RepeatTrial
     | ImageTrial
 )
+
+
+def part_of(trial: Trial) -> str:
+    """Which part of the exercise a trial calls."""
+    return "a" if isinstance(trial, ConstructTrial | RebuildTrial) else "b"

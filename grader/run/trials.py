@@ -10,7 +10,14 @@ from dataclasses import dataclass, replace
 from grader.model.cases import Case, MemoryCase, SurvivalCase
 from grader.model.grade import Limits
 from grader.model.stages import Ending, Further, Stop
-from grader.model.trials import ConstructTrial, RebuildTrial, RepeatTrial, TraceTrial, Trial
+from grader.model.trials import (
+    ConstructTrial,
+    RebuildTrial,
+    RepeatTrial,
+    TraceTrial,
+    Trial,
+    part_of,
+)
 from grader.run.requests import request
 from grader.run.session import Allowance, Engine, run_job
 from grader.sandbox.turns import Turns
@@ -64,11 +71,6 @@ def build_of(trial: Trial) -> Further | None:
     if not is_sanitized(trial):
         return None
     return Further.SANITIZED if part_of(trial) == "a" else Further.DEEP
-
-
-def part_of(trial: Trial) -> str:
-    """Which part of the exercise a trial calls."""
-    return "a" if isinstance(trial, ConstructTrial | RebuildTrial) else "b"
 
 
 def is_sanitized(trial: Trial) -> bool:

@@ -5,7 +5,7 @@ import numpy as np
 from grader.model.cases import DepthCase, SurvivalCase, TreeCase
 from grader.model.mesh import Bvh, Mesh
 from grader.model.stages import Stop
-from grader.model.trials import ConstructTrial, RebuildTrial, Trial
+from grader.model.trials import ConstructTrial, Trial, part_of
 from grader.model.verdict import Evidence, Example
 from grader.tolerances import FACES_PER_LEAF, NODE_CAPACITY, depth_limit
 from grader.verify.check import check, judged, one, vector
@@ -27,7 +27,7 @@ def needs_a_split(trial: ConstructTrial) -> bool:
 
 def calls_construct(trial: Trial) -> bool:
     """Tell whether a trial is one of part a."""
-    return isinstance(trial, ConstructTrial | RebuildTrial)
+    return part_of(trial) == "a"
 
 
 @check(TreeCase, "bvh.is-readable")
