@@ -76,12 +76,11 @@ def _judged(check: Check, probe: Probe, trial: Trial) -> Replay:
         raise GraderError(f"{check.id}: {broken.reason}\n{noted(broken.traceback)}")
     if not failed and Verdict.PASS in first:
         return Replay(check.id, check.title, None)
-    solution = Solution()
-    if not model_passes(check, solution, trial):
+    if not model_passes(check, Solution(), trial):
         # Anybody may have edited the tree or the mesh in the file.
         return Replay(check.id, check.title, None, CHANGED, is_ours=True)
     if failed:
-        found = described(probe, solution, trial, trial.name, failed.evidence)
+        found = described(probe, trial, trial.name, failed.evidence)
         return Replay(check.id, check.title, found)
     if blocked := first.get(Verdict.BLOCKED):
         why = f"it cannot be decided, because {blocked.reason} fails on this input"

@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from grader.counterexample.explain import Explanation, Setting, false_hit, lost_hit
+from grader.counterexample.nearest import nearest_tree
 from grader.counterexample.probe import Probe, sizes
 from grader.counterexample.shown import with_ray, with_tree
 from grader.counterexample.table import MOST_FACES, path_table, tree_table
@@ -14,21 +15,17 @@ from grader.model.counterexample import Counterexample
 from grader.model.trials import AlteredTrial, ConstructTrial, ImageTrial, TraceTrial, Trial
 from grader.model.verdict import Evidence
 from grader.oracle.brute import chosen
-from grader.solution import Solution
 from grader.verify.closest import closest_sure
 
 PATH_FACES = 1_000
 """Faces of a mesh that is shown: its tree, or the recorded path of a ray."""
 
 
-def described(
-    probe: Probe, solution: Solution, trial: Trial, found_in: str, evidence: Evidence
-) -> Counterexample:
+def described(probe: Probe, trial: Trial, found_in: str, evidence: Evidence) -> Counterexample:
     """Tell a trial that fails.
 
     Args:
         probe: Of the check that fails.
-        solution: Builds the right tree to compare with.
         trial: What fails.
         found_in: Name of the trial that it was reduced from.
         evidence: What the check says against it.
@@ -49,18 +46,16 @@ def described(
         return told
     match trial:
         case ConstructTrial() if faces <= PATH_FACES:
-            return _with_trees(told, probe, solution, trial)
+            return _with_trees(told, probe, trial)
         case TraceTrial() | AlteredTrial() | ImageTrial() if faces <= PATH_FACES:
             return _with_path(told, probe, trial)
     return told
 
 
-def _with_trees(
-    told: Counterexample, probe: Probe, solution: Solution, trial: ConstructTrial
-) -> Counterexample:
+def _with_trees(told: Counterexample, probe: Probe, trial: ConstructTrial) -> Counterexample:
     for case in probe.cases(trial):
         if isinstance(case, TreeCase):
-            (expected,) = solution.fresh_trees([trial.mesh])
+            expected = nearest_tree(trial.mesh, case.bvh)
             small = len(trial.mesh.faces) <= MOST_FACES
             table = tree_table(expected, case.bvh) if small else None
             model = with_tree(told.check, trial.mesh, case.bvh, expected)

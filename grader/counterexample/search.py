@@ -116,7 +116,7 @@ def _reduced(
     evidence = probe.proof(trial)
     if evidence is None or not model_passes(check, solution, trial):
         return None
-    return described(probe, solution, trial, start.name, evidence)
+    return described(probe, trial, start.name, evidence)
 
 
 def model_passes(check: Check, solution: Solution, trial: Trial) -> bool:

@@ -27,7 +27,7 @@ def with_tree(check: str, mesh: Mesh, tree: Bvh, expected: Bvh) -> Model:
         check: Id of the check that fails.
         mesh: The mesh.
         tree: What `construct` made of it.
-        expected: A right tree of it.
+        expected: The right tree that is nearest to it.
     """
     node = loose_node(mesh, tree)
     if node < 0:
