@@ -143,7 +143,8 @@ class Rounds:
         if self._options.counterexamples:
             deadline = time.monotonic() + self._left(summary)
             hidden = not self._options.for_student
-            search = Search(trials, self._engines, self._solution, deadline, hidden)
+            is_secret = summary.selection.is_secret
+            search = Search(trials, self._engines, self._solution, deadline, hidden, is_secret)
             with summary.stage("looking for small examples"):
                 grade = with_counterexamples(grade, search)
         if self._options.views:

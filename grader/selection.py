@@ -1,7 +1,7 @@
 """Which checks and trials does a run need?"""
 
 import difflib
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from grader.errors import UsageError
-from grader.model.cases import BuildCase, DepthCase, SourceCase
+from grader.model.cases import BuildCase, DepthCase, MemoryCase, SourceCase, SurvivalCase
 from grader.model.grade import Rubric
 from grader.model.mesh import Mesh
 from grader.model.stages import Further
@@ -41,7 +41,10 @@ class Selection:
     """Checks of the rubric that are not run, because a student is not to see them."""
 
     for_student: bool = False
-    """Whether scenes that a student is not to see are left out, too."""
+    """Whether trials that a student is not to see are left out, too."""
+
+    secret: frozenset[str] = frozenset()
+    """Checks that the rubric shows to nobody, or not yet, whether they are run or not."""
 
     def useful(self, trials: Sequence[Trial]) -> tuple[Trial, ...]:
         """Leave out the trials that no check of this run looks at, or a student is not to see.
@@ -53,8 +56,29 @@ class Selection:
             trial
             for trial in trials
             if (self._looks_at([trial]) or (choosing and DepthCase in kinds_of(trial)))
-            and not (self.for_student and isinstance(trial, ImageTrial) and not trial.shown)
+            and not (self.for_student and self.is_secret(trial))
         )
+
+    def is_secret(self, trial: Trial) -> bool:
+        """Tell whether a student must not learn what a trial's input is.
+
+        The scene of its picture is hidden, or all checks that look at its results are. Whoever
+        only asks how a worker ended looks at every trial, and would tell of those, too.
+        """
+        if isinstance(trial, ImageTrial) and not trial.shown:
+            return True
+        if not self.secret:
+            return False
+        # One with sanitizers has the input of an ordinary one.
+        trial = replace(trial, sanitized=False) if is_sanitized(trial) else trial  # type: ignore[arg-type]  # those have the field
+        looking = [
+            each.id
+            for each in every_check()
+            if each.kind not in (SurvivalCase, MemoryCase)
+            and each.kind in kinds_of(trial)
+            and each.when(trial)
+        ]
+        return bool(looking) and self.secret.issuperset(looking)
 
     @property
     def runs_nothing(self) -> bool:
@@ -107,7 +131,8 @@ def select(
         UsageError: The rubric is wrong, or an id does not exist or is hidden.
     """
     rubric, checks = load_rubric(rubric_path), every_check()
-    hidden = _hidden(rubric, checks) if for_student else frozenset()
+    secret = frozenset(one.check for one in rubric.criteria if one.visibility != "visible")
+    hidden = _hidden(secret, checks) if for_student else frozenset()
     for id in only:
         _require_shown(rubric_path, id, hidden)
     shown = [criterion for criterion in rubric.criteria if criterion.check not in hidden]
@@ -131,6 +156,7 @@ def select(
         frozenset(only or wanted),
         tuple(one.check for one in rubric.criteria if one.check in hidden),
         for_student,
+        secret,
     )
 
 
@@ -168,7 +194,7 @@ def _require_shown(rubric_path: Path | None, id: str, hidden: frozenset[str]) ->
         raise UsageError(f"--only {id}: the rubric hides this check, so it is not run here")
 
 
-def _hidden(rubric: Rubric, checks: Sequence[Check]) -> frozenset[str]:
+def _hidden(secret: Collection[str], checks: Sequence[Check]) -> frozenset[str]:
     """Name the checks that a student does not see, and those that would tell of them.
 
     A check that waits for a hidden one says by waiting that the hidden one fails.
@@ -177,7 +203,6 @@ def _hidden(rubric: Rubric, checks: Sequence[Check]) -> frozenset[str]:
     for each in checks:
         for other in (*each.needs, *each.blames):
             waits.setdefault(other, []).append(each.id)
-    secret = {one.check for one in rubric.criteria if one.visibility != "visible"}
     return frozenset(_closure(waits, secret))
 
 

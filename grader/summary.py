@@ -33,7 +33,7 @@ from grader.score.points import (
 )
 from grader.selection import Selection
 from grader.tolerances import FACES_PER_LEAF
-from grader.verify.engine import NOTHING, Examiner
+from grader.verify.engine import NOTHING, Examiner, looks_at
 from grader.verify.planned import kinds_of, planned_cases
 from grader.verify.tree import shape
 from grader.verify.work import excludes_most_triangles, unproven
@@ -107,9 +107,14 @@ class Summary:
             found = list(self._examiner.examine([case]))
             if isinstance(case, SurvivalCase):
                 found += self._unproven(case)
-            if isinstance(case, SurvivalCase | ImageCase):
-                found = [_of_scene(each, case.trial) for each in found]
+            if isinstance(case, SurvivalCase | MemoryCase | ImageCase):
+                found = [self._placed(each, case.trial) for each in found]
             self._findings += found
+
+    def _placed(self, finding: Finding, trial: Trial) -> Finding:
+        """Add to a finding what a picture weighs, and whether students see where it was."""
+        weight = trial.weight if isinstance(trial, ImageTrial) else finding.weight
+        return replace(finding, weight=weight, shown=not self.selection.is_secret(trial))
 
     def _unproven(self, case: SurvivalCase) -> list[Finding]:
         """Judge what a worker that died has left unproven."""
@@ -123,7 +128,7 @@ class Summary:
         """Conclude nothing from a worker that had to wait for others than itself."""
         reason = "it stood in line for a processor for too long; grade it again"
         self._findings += [
-            _of_scene(Finding(each.id, trial.name, Verdict.BROKEN, NOTHING, reason), trial)
+            self._placed(Finding(each.id, trial.name, Verdict.BROKEN, NOTHING, reason), trial)
             for each in self.selection.checks
             if each.kind in kinds_of(trial) and each.when(trial)
         ]
@@ -172,7 +177,7 @@ class Summary:
             started,
         )
         scores = crashes_earn_nothing(scores, started & {"a"} & self._untouched - self._touched)
-        causes = causes_by_part(self._notes, scores, checks)
+        causes = causes_by_part(self._notes, self._notes.only(self._is_told), scores)
         seconds = self._examiner.seconds
         scores = tuple(
             replace(one, seconds=seconds[one.check], cause=causes.get(one.check))
@@ -199,6 +204,13 @@ class Summary:
         return "\n".join(
             f"{one.check} in {one.case}:\n{one.traceback}" for one in broken.values()
         )
+
+    def _is_told(self, case: Case) -> bool:
+        """Tell whether a student may hear of a case."""
+        trial, secret = getattr(case, "trial", None), self.selection.secret
+        looking = (each.id for each in self.selection.checks if looks_at(each, case))
+        is_secret = trial is not None and self.selection.is_secret(trial)
+        return not is_secret and not secret.issuperset(looking)
 
     def _started(self) -> set[str]:
         """Tell which parts no longer do what the given code does.
@@ -259,13 +271,6 @@ class Summary:
             total=before + self.elapsed(),
             stages=tuple(self._stages),
         )
-
-
-def _of_scene(finding: Finding, trial: Trial) -> Finding:
-    """Add to a finding what the scene of its picture says, if it has one."""
-    if not isinstance(trial, ImageTrial):
-        return finding
-    return replace(finding, weight=trial.weight, shown=trial.shown)
 
 
 def cpu_name() -> str:

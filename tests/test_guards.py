@@ -49,7 +49,8 @@ def interrupted(*_: object) -> NoReturn:
 def example(patch: Patch, breaks: Callable[..., NoReturn]) -> bool:
     """Look for counterexamples."""
     patch.setattr(search, "counterexample", breaks)
-    wanted = search.Search((), Engines(NOBODY), cast("Solution", None), 0.0, hidden=True)
+    solution = cast("Solution", None)
+    wanted = search.Search((), Engines(NOBODY), solution, 0.0, True, lambda _: False)
     checks = search.with_counterexamples(samples.failing(), wanted).checks
     return not any(one.counterexample for one in checks)
 

@@ -10,7 +10,7 @@ import pytest
 from grader.errors import UsageError
 from grader.model.cases import DepthCase
 from grader.model.stages import Further
-from grader.model.trials import ImageTrial, Trial
+from grader.model.trials import ImageTrial, TraceTrial, Trial
 from grader.oracle.plan import deeper_trials
 from grader.run.trials import build_of
 from grader.score.rubric import SHIPPED
@@ -198,3 +198,25 @@ def test_a_hidden_scene_is_not_run_for_a_student() -> None:
     hidden = replace(image, shown=False)
     assert select(None, (), for_student=True).useful([image, hidden]) == (image,)
     assert select(None, ()).useful([image, hidden]) == (image, hidden)
+
+
+SPECIAL = "hits.special-rays"
+OF_SPECIAL_RAYS = (SPECIAL, "hits.record-is-complete")
+"""All that look at what special rays hit."""
+
+
+def test_a_visible_check_of_endings_tells_nothing_of_a_hidden_one_s_trials(
+    tmp_path: Path,
+) -> None:
+    """It looks at all trials, and whoever crashes on purpose would learn their inputs."""
+    trials = planned()[0]
+    traces = [trial for trial in trials if isinstance(trial, TraceTrial)]
+    special = {trial.name for trial in traces if "special rays" in trial.name}
+    assert special
+    hidden = select(hiding(tmp_path, *OF_SPECIAL_RAYS), (), for_student=True)
+    assert not special & {trial.name for trial in hidden.useful(trials)}
+    open_to_all = select(hiding(tmp_path, SPECIAL), (), for_student=True)
+    assert special <= {trial.name for trial in open_to_all.useful(trials)}
+    teacher = select(hiding(tmp_path, *OF_SPECIAL_RAYS), ())
+    assert special <= {trial.name for trial in teacher.useful(trials)}
+    assert special == {trial.name for trial in trials if teacher.is_secret(trial)}

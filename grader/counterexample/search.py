@@ -7,7 +7,7 @@ has no counterexample then. Neither changes a verdict or a point.
 """
 
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 from grader.counterexample.describe import described
@@ -52,6 +52,9 @@ class Search:
     hidden: bool
     """Whether checks that the rubric hides from students get one, too."""
 
+    is_secret: Callable[[Trial], bool]
+    """Tells of which trials no visible check may show anything."""
+
 
 def with_counterexamples(grade: Grade, search: Search) -> Grade:
     """Give each failed check of a grade the smallest input that was found."""
@@ -70,9 +73,11 @@ def _is_open(score: CheckScore) -> bool:
     return score.visibility == "visible"
 
 
-def _is_told(trial: Trial) -> bool:
+def _is_told(trial: Trial, score: CheckScore, search: Search) -> bool:
     """A counterexample tells where it comes from, so none comes from a hidden scene."""
-    return not isinstance(trial, ImageTrial) or trial.shown
+    if isinstance(trial, ImageTrial) and not trial.shown:
+        return False
+    return not (_is_open(score) and search.is_secret(trial))
 
 
 def _found(score: CheckScore, search: Search) -> Counterexample | None:
@@ -94,7 +99,8 @@ def counterexample(score: CheckScore, search: Search) -> Counterexample | None:
     """
     check = next(each for each in every_check() if each.id == score.check)
     failed = {name for name, verdict in score.cases if verdict is Verdict.FAIL}
-    known = [trial for trial in search.trials if trial.name in failed and _is_told(trial)]
+    known = [trial for trial in search.trials if trial.name in failed]
+    known = [trial for trial in known if _is_told(trial, score, search)]
     known = [trial for trial in known if sizes(trial)[0] <= LARGEST_START]
     fence = min(time.monotonic() + CROWDED * CHECK_SECONDS, search.deadline)
     effort = Effort(fence, CHECK_SECONDS)

@@ -20,8 +20,6 @@ from grader.model.cases import Case
 from grader.model.grade import Cause, CheckScore
 from grader.model.trials import part_of
 from grader.model.verdict import Verdict
-from grader.verify.check import Check
-from grader.verify.engine import looks_at
 
 SURE = 0.95
 """Share of places that have to be as foretold."""
@@ -33,21 +31,16 @@ HOPELESS = 20
 """After so many places that are otherwise, and half of all, nothing more is looked at."""
 
 
-def causes_by_part(
-    notes: Notes, scores: Sequence[CheckScore], checks: Sequence[Check]
-) -> dict[str, Cause]:
+def causes_by_part(notes: Notes, told: Notes, scores: Sequence[CheckScore]) -> dict[str, Cause]:
     """Name the likely cause of failed checks, each from the cases of its own part.
-
-    Whoever may see some checks only must not learn from a cause what the others look at.
 
     Args:
         notes: What is kept of the run.
+        told: The cases of it that a student may hear of. Whoever sees some checks only must
+            not learn from a cause what the others look at.
         scores: All of the run.
-        checks: All that were decided.
     """
     secret = {one.check for one in scores if one.visibility != "visible"}
-    shown = [each for each in checks if each.id not in secret]
-    told = notes.only(lambda case: any(looks_at(each, case) for each in shown))
     causes: dict[str, Cause] = {}
     for part in {one.part for one in scores}:
         mine = partial(_is_of, part=part)

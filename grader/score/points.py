@@ -100,7 +100,7 @@ def final_score(checks: Iterable[CheckScore]) -> float | None:
 
 def _scored(criterion: Criterion, title: str, of: Tally, died: str | None) -> CheckScore:
     outcome = _outcome(of, died)
-    first = _first(of.failed) if of.failed else None
+    first = next((one for one in of.failed if one.shown), None)
     examples = tuple(islice(_examples(of.failed), _MAX_EXAMPLES))
     shown = examples[0] if examples else Example("")
     counted = (*of.passed, *of.failed)
@@ -134,16 +134,23 @@ def _outcome(of: Tally, died: str | None) -> _Outcome:
     if of.failed:
         return _Outcome(Verdict.FAIL, _told(of))
     if of.blocked:
-        finding, cause = of.blocked[0]
-        return _Outcome(
-            Verdict.BLOCKED,
-            f"could not be decided in {len(of.blocked)} of {len(of.every)} cases, first in "
-            f"{_place(finding)}, because `{cause}` fails there",
-            cause,
-        )
+        return _waits(of)
     if not of.passed or not of.suffices:
         return _too_little(of, died)
     return _Outcome(Verdict.PASS, _passed(of))
+
+
+def _waits(of: Tally) -> _Outcome:
+    """Say what keeps a check from being decided, and in how many cases that a student sees."""
+    shown = [(one, cause) for one, cause in of.blocked if one.shown]
+    if not shown:
+        cause = of.blocked[0][1]
+        why = f"could not be decided in a case that is not shown, because `{cause}` fails there"
+        return _Outcome(Verdict.BLOCKED, why, cause)
+    (first, cause), every = shown[0], sum(one.shown for one in of.every)
+    counted = f"could not be decided in {len(shown)} of {every} cases"
+    why = f"{counted}, first in `{first.case}`, because `{cause}` fails there"
+    return _Outcome(Verdict.BLOCKED, why, cause)
 
 
 def _too_little(of: Tally, died: str | None) -> _Outcome:
@@ -162,30 +169,28 @@ def _too_little(of: Tally, died: str | None) -> _Outcome:
 
 def _passed(of: Tally) -> str:
     """Say where a check held: the names of a few cases, the number of many."""
-    names = [_place(one).strip("`") for one in of.passed]
+    names = [one.case for one in of.passed if one.shown]
+    if not names:
+        return "in cases that are not shown"
     many = f"in {len(names)} case{'s' if len(names) > 1 else ''}"
     return f"{many}: {', '.join(names)}" if 1 < len(names) <= _NAMED_CASES else many
 
 
 def _told(of: Tally) -> str:
-    """`2 of 524,287 wrong, first in `cube`: node 5: box is ..., but ...`."""
-    wrong = sum(one.evidence.wrong for one in of.failed)
-    examined = sum(one.evidence.examined for one in (*of.passed, *of.failed))
-    first = _first(of.failed)
+    """`2 of 524,287 wrong, first in `cube`: node 5: box is ..., but ...`.
+
+    Cases that are not shown are not counted here either: a submission that chooses how much of
+    one is wrong would read in the numbers what it computed there.
+    """
+    failed = [one for one in of.failed if one.shown]
+    if not failed:
+        return "wrong in a case that is not shown"
+    wrong = sum(one.evidence.wrong for one in failed)
+    examined = sum(one.evidence.examined for one in (*of.passed, *failed) if one.shown)
     counted = f"{wrong:,} of {examined:,} wrong" if wrong else "not shown to be right"
-    where = f"{counted}, first in {_place(first)}"
-    examples = first.evidence.examples if first.shown else ()
+    where = f"{counted}, first in `{failed[0].case}`"
+    examples = failed[0].evidence.examples
     return f"{where}: {examples[0].message}" if examples else where
-
-
-def _first(failed: Sequence[Finding]) -> Finding:
-    """Return the first that students may see, or the first of all."""
-    return next((one for one in failed if one.shown), failed[0])
-
-
-def _place(finding: Finding) -> str:
-    """Name a case, but for one of a scene that students do not see."""
-    return f"`{finding.case}`" if finding.shown else "a scene that is not shown"
 
 
 def _examples(failed: Iterable[Finding]) -> Iterable[Example]:

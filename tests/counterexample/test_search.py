@@ -71,9 +71,8 @@ def searched(
         stop=Stop.FINISHED,
         cases=tuple((trial.name, Verdict.FAIL) for trial in trials),
     )
-    search = Search(
-        trials, Engines(engine), Solution(), time.monotonic() + seconds, hidden=False
-    )
+    deadline = time.monotonic() + seconds
+    search = Search(trials, Engines(engine), Solution(), deadline, False, lambda _: False)
     if seconds and visibility == "visible":
         return counterexample(failed, search)
     return with_counterexamples(samples.graded([failed]), search).checks[0].counterexample

@@ -30,7 +30,7 @@ def test_an_exception_explains_only_its_own_part(given: Trial) -> None:
         replace(samples.check(1), check=check, part=part, verdict=Verdict.FAIL)
         for part, check in (*SURVIVES.items(), ("b", WORK))
     ]
-    causes = causes_by_part(notes, failed, ())
+    causes = causes_by_part(notes, notes, failed)
     part = part_of(given)
     assert set(causes) == {SURVIVES[part], *([WORK] if part == "b" else [])}
     assert {cause.id for cause in causes.values()} == {"end.exception"}

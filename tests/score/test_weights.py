@@ -82,10 +82,10 @@ def test_a_hidden_scene_is_counted_and_not_told() -> None:
     hidden = finding("trap", Verdict.FAIL, shown=False)
     alone = scored([finding("open", Verdict.PASS), hidden], 2)
     assert (alone.score, alone.wrong) == (2.0, 5)
-    assert alone.message == "5 of 200 wrong, first in a scene that is not shown"
+    assert alone.message == "wrong in a case that is not shown"
     assert (alone.examples, alone.expected, alone.got) == ((), "", "")
     both = scored([hidden, finding("open", Verdict.FAIL)], 2)
-    assert both.message == "10 of 200 wrong, first in `open`: in open"
+    assert both.message == "5 of 100 wrong, first in `open`: in open"
     assert [example.message for example in both.examples] == ["in open"]
     passed = scored([finding("open", Verdict.PASS), replace(hidden, verdict=Verdict.PASS)], 2)
-    assert passed.message == "in 2 cases: open, a scene that is not shown"
+    assert passed.message == "in 1 case"
