@@ -9,7 +9,15 @@ from grader.language import Words
 from grader.plain import printable
 from grader.report.as_json import Json
 from grader.report.escape import SHORTER, code_for_markdown, for_html, for_markdown
-from grader.report.hosts.told import Entry, entries, headline, unbuilt, worst_first, worth
+from grader.report.hosts.told import (
+    Entry,
+    entries,
+    headline,
+    unbuilt,
+    whole_parts,
+    worst_first,
+    worth,
+)
 
 LARGEST = 1_000_000
 """Bytes; the limit is 1,048,576 of all that a step writes."""
@@ -34,7 +42,7 @@ def paragraphs(result: Json, limit: int, words: Words) -> Iterator[str]:
     if not result["build"]["ok"]:
         yield block(unbuilt(result, words), limit)
     yield "| | | |\n| --- | --- | ---: |"
-    for part in result["parts"]:
+    for part in whole_parts(result):
         whole = Entry("", part["id"], "", "", part["score"], part["max_score"], "")
         title = for_markdown(f"{part['id']}) {words(part['title'])}")
         yield f"| | **{title}** | **{for_markdown(worth(whole, words))}** |"

@@ -13,7 +13,7 @@ from grader.language import Words
 from grader.model.stages import SOURCE_PATH
 from grader.report.as_json import Json
 from grader.report.escape import for_xml
-from grader.report.hosts.told import Entry, entries, headline, unbuilt
+from grader.report.hosts.told import Entry, entries, headline, is_open, unbuilt
 
 TYPES = {
     "finished": "Wrong",
@@ -53,7 +53,8 @@ def whole(result: Json, words: Words) -> dict[str, object]:
         **score,
         "max_score": result["max_score"],
         "grader": made["grader"],
-        "seed": made["seed"],
+        # Whoever has the grader draws with it the inputs of hidden checks.
+        **({"seed": made["seed"]} if is_open(result) else {}),
     }
 
 

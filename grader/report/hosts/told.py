@@ -203,7 +203,21 @@ def diagnostic(given: Json) -> str:
 def summary(result: Json, words: Words = str) -> str:
     """Say the score, the points of each part, and why nothing was graded if so."""
     told = [headline(result, words)]
-    for part in result["parts"]:
+    for part in whole_parts(result):
         entry = Entry("", part["id"], "", "", part["score"], part["max_score"], "")
         told.append(f"{part['id']}) {words(part['title'])}: {worth(entry, words)}")
     return "\n".join([*told, *filter(None, [unbuilt(result, words)])])
+
+
+def whole_parts(result: Json) -> list[Json]:
+    """List the parts whose points may be told: all, or none where something is not shown.
+
+    Beside the checks that are shown they would give away how each part fares in the others.
+    """
+    parts: list[Json] = result["parts"]
+    return parts if is_open(result) else []
+
+
+def is_open(result: Json) -> bool:
+    """Tell whether everything of a result is shown to students."""
+    return all(one["visibility"] == VISIBLE for one in result["checks"])

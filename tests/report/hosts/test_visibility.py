@@ -113,3 +113,24 @@ def test_no_traceback_of_ours_is_told(path: str) -> None:
     text = everything(real.withheld())[path]
     assert "Traceback" not in text
     assert "/opt/grader" not in text
+
+
+@pytest.mark.parametrize("path", everything(real.real("right")))
+def test_no_sum_of_a_part_gives_hidden_points_away(path: str) -> None:
+    """Beside the visible rows it would say what the hidden ones of that part earn.
+
+    Autolab knows nothing but such sums, and Gradescope's output is empty then.
+    """
+    whole, partly = real.real("first-hit-wins"), real.partly_hidden("first-hit-wins")
+    title = next(part["title"] for part in whole["parts"])
+    told = f"{title}: 25 of 25"
+    with_sums = [name for name, text in everything(whole).items() if told in text]
+    assert "prairielearn/results.json" in with_sums
+    assert told not in everything(partly)[path]
+
+
+def test_the_seed_is_told_only_where_nothing_is_hidden() -> None:
+    """Whoever has the grader draws with it what hidden checks look at."""
+    name = 'name="seed"'
+    assert name in everything(real.real("right"))["junit.xml"]
+    assert name not in everything(real.partly_hidden("right"))["junit.xml"]
