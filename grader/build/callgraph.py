@@ -40,16 +40,28 @@ MOST_NAMED = 1 << 20
 with `std::regex` and threads has 330,000. All of these are looked into for 10 seconds."""
 
 _KINDS = (b"function", b"object")
-_SYMBOL = re.compile(rb'^\s*\.type\s+"?([\w.$\x80-\xff]{1,4096})"?,\s*[@%](function|object)')
+_SYMBOL = re.compile(rb'^\s*\.type\s+"?([\w.$\x80-\xff]{1,65536})"?,\s*[@%](function|object)')
 _ALIAS = re.compile(
-    rb'^\s*\.(?:set|equ)\s+"?([\w.$\x80-\xff]{1,4096})"?,\s*"?([\w.$\x80-\xff]{1,4096})"?\s*$'
+    rb'^\s*\.(?:set|equ)\s+"?([\w.$\x80-\xff]{1,65536})"?,\s*"?([\w.$\x80-\xff]{1,65536})"?\s*$'
 )
-_LABEL = re.compile(rb'^"?([\w.$\x80-\xff]{1,4096})"?:')
-_END = re.compile(rb'^\s*\.size\s+"?([\w.$\x80-\xff]{1,4096})"?,')
-_NAME = re.compile(rb"[A-Za-z_\x80-\xff][\w.$\x80-\xff]{1,4096}")
+_LABEL = re.compile(rb'^"?([\w.$\x80-\xff]{1,65536})"?:')
+_END = re.compile(rb'^\s*\.size\s+"?([\w.$\x80-\xff]{1,65536})"?,')
+_NAME = re.compile(rb"[A-Za-z_\x80-\xff][\w.$\x80-\xff]{1,65536}")
 _CALL = re.compile(rb"^(call|jmp|bl?$|b[lr]+$)")
 _ELSEWHERE = re.compile(rb"(?:^|[^\w.$])([a-z]\w{0,80}|_Z(?:n[wa]|d[la])\w{1,20})@GOTPCREL")
 _ELSEWHERE_ARM = re.compile(rb":got:([a-z]\w{0,80}|_Z(?:n[wa]|d[la])\w{1,20})\b")
+_UNKNOWN = re.compile(
+    rb'^\s*\.type\b(?!\s+"?[\w.$\x80-\xff]{1,65536}"?,\s*[@%]\w+(?:\s|$))'
+    rb"|(?:^|;)\s*\.(?:macro|altmacro|rept|irpc?|include|incbin)\b"
+)
+"""What no compiler writes: a name that cannot be read, and text that makes text."""
+
+_STRING = re.compile(rb"^\s*\.(?:ascii|asciz|string)\b")
+_BYTES = re.compile(
+    rb"^\.(?:(?:[248x]?byte|h?word|short|value|long|int|quad|octa|insn|inst|reloc)\b|dc\.)"
+)
+"""Data amid instructions, of which a compiler writes tables of its own labels only."""
+
 _NAMED = (b"_Z", b"ex03_")
 """How functions begin that lie elsewhere and may lead back: of C++, and our own door."""
 
@@ -63,7 +75,7 @@ _CALLING_BACK = {
 
 _OF_THE_LIBRARY = (b"_ZNSt", b"_ZSt", b"_ZNKSt")
 _DATA = {b"stdin", b"stdout", b"stderr", b"environ"}
-_TABLE = re.compile(rb"^\.(?:quad|xword|8byte)\s+([\w.$\x80-\xff]{1,4096})")
+_TABLE = re.compile(rb"^\.(?:quad|xword|8byte)\s+([\w.$\x80-\xff]{1,65536})")
 _TABLE_BYTES = 8
 _VIRTUAL, _TYPE = b"_ZTV", b"_ZTI"
 """How tables of virtual functions begin, and what stands in them before the functions."""
@@ -111,14 +123,18 @@ def read_assembly(text: bytes) -> CallGraph:
     """List the calls, and the line of the student's file at which each function begins.
 
     Raises:
-        Tangled: It is too long, too many functions overlap, or their names are too long.
+        Tangled: It is too long, too many functions overlap, their names are too long, or there
+            is something in it that no compiler writes.
     """
     if len(text) > MAX_BYTES or text.count(b"\n") >= MAX_ROWS:
         raise Tangled
     rows = text.split(b"\n")
     own = {match[1] for row in rows if (match := _FILE.match(row)) and _is_own(match[2])}
+    if any(_UNKNOWN.search(row) and not _STRING.match(row) for row in rows):
+        raise Tangled
     symbols = [match for row in rows if (match := _SYMBOL.match(row))]
     functions, objects = ({each[1] for each in symbols if each[2] == kind} for kind in _KINDS)
+    functions |= {match[1] for row in rows if (match := _ALIAS.match(row))} - objects
     read = _Read(functions, objects)
     for owner, row in _placed(rows, read):
         if (line := _LINE.match(row)) and owner and line[1] in own:
@@ -188,34 +204,46 @@ def _is_own(name: bytes) -> bool:
 def _note(read: _Read, owner: bytes, row: bytes) -> None:
     """Take down the calls in one row and the functions and tables whose address is in it."""
     row = row.strip()
+    if owner in read.functions and (b";" in row or _BYTES.match(row)):
+        _note_hidden(read, owner, row)
     if row.startswith(b"."):
         _note_data(read, owner, row)
     elif owner in read.functions:
-        inner = read.inner[owner]
-        if lender := inner.lent.read(row):
-            read.calls[owner, lender] = None
-        if POINTER_CALL.match(row):
-            if called := inner.pointers.called(row):
-                read.calls[owner, called] = None
-            return
-        if inner.lent.lends(row) or _LABEL.match(row):
-            return
-        verb, *words = row.split(None, 1) or [b""]
-        names = _named_in(words[0]) if words else []
-        known = [name for name in names if name in read.functions or name.startswith(_NAMED)]
-        if _CALL.match(verb):
-            back = [name for name in names if name in _CALLING_BACK]
-            read.calls |= dict.fromkeys((owner, name) for name in known + back)
-            return
-        functions = [name for name in known if name in read.functions]
-        read.calls |= dict.fromkeys((ANYTHING, name) for name in functions)
-        tables = [name for name in names if name in read.objects]
-        read.taken |= dict.fromkeys((owner, name) for name in functions + tables)
-        # A function of the framework counts as called by whoever names it: `&AABB::extend`
-        # makes a box grow in the end, and it leads back to nobody.
-        away = [name for name in known if name not in read.functions]
-        read.calls |= dict.fromkeys((owner, name) for name in away)
-        _note_elsewhere(read, owner, row)
+        _note_instruction(read, owner, row)
+
+
+def _note_instruction(read: _Read, owner: bytes, row: bytes) -> None:
+    inner = read.inner[owner]
+    if lender := inner.lent.read(row):
+        read.calls[owner, lender] = None
+    if POINTER_CALL.match(row):
+        if called := inner.pointers.called(row):
+            read.calls[owner, called] = None
+        return
+    if inner.lent.lends(row) or _LABEL.match(row):
+        return
+    verb, *words = row.split(None, 1) or [b""]
+    names = _named_in(words[0]) if words else []
+    known = [name for name in names if name in read.functions or name.startswith(_NAMED)]
+    if _CALL.match(verb):
+        back = [name for name in names if name in _CALLING_BACK]
+        read.calls |= dict.fromkeys((owner, name) for name in known + back)
+        return
+    functions = [name for name in known if name in read.functions]
+    read.calls |= dict.fromkeys((ANYTHING, name) for name in functions)
+    tables = [name for name in names if name in read.objects]
+    read.taken |= dict.fromkeys((owner, name) for name in functions + tables)
+    # A function of the framework counts as called by whoever names it: `&AABB::extend`
+    # makes a box grow in the end, and it leads back to nobody.
+    away = [name for name in known if name not in read.functions]
+    read.calls |= dict.fromkeys((owner, name) for name in away)
+    _note_elsewhere(read, owner, row)
+
+
+def _note_hidden(read: _Read, owner: bytes, row: bytes) -> None:
+    """Take for a call whatever inline assembly may have spelled otherwise than compilers do."""
+    called = [name for name in _named_in(row) if name in read.functions]
+    read.calls |= dict.fromkeys((owner, name) for name in called)
 
 
 def _named_in(words: bytes) -> list[bytes]:

@@ -248,3 +248,45 @@ def test_an_instruction_without_end_is_not_read() -> None:
     assert not read_assembly(head % (b'.string "' + names + b'"')).taken
     with pytest.raises(Tangled):
         read_assembly(head % (b"nop # " + names))
+
+
+def within(*rows: str) -> str:
+    """Write a function with some rows of inline assembly in it."""
+    body = "".join(f"\t{row}\n" for row in rows)
+    return f"\t.type\tgrow, @function\ngrow:\n{body}\t.size\tgrow, .-grow\n"
+
+
+@pytest.mark.parametrize(
+    "rows",
+    [
+        (".byte 0xe8", ".long grow - . - 4"),
+        (".reloc ., R_X86_64_PLT32, grow-4",),
+        ("nop; call grow",),
+        ("call other", ".set other, grow"),
+    ],
+)
+def test_a_call_that_no_compiler_spells_so_is_one(rows: tuple[str, ...]) -> None:
+    """In bytes, behind another instruction, or by a second name."""
+    made = calls(within(*rows))
+    assert ("grow", "grow") in made or {("grow", "other"), ("other", "grow")} <= made
+
+
+@pytest.mark.parametrize(
+    "row",
+    [
+        "\t.macro again\n\tcall grow\n\t.endm",
+        "nop; .rept 2",
+        '\t.type\t"gr ow", @function',
+        f"\t.type\tg{'w' * (1 << 16)}, @function",
+    ],
+)
+def test_what_no_compiler_writes_is_not_read(row: str) -> None:
+    """Text that makes text, and functions whose names cannot be read."""
+    with pytest.raises(Tangled):
+        read_assembly((row + "\n" + within("call other")).encode())
+
+
+def test_words_of_a_string_are_no_directive() -> None:
+    """A program may print what it likes."""
+    text = within("call grow") + '\t.string\t"a; .macro b"\n'
+    assert calls(text) == {("grow", "grow")}

@@ -153,3 +153,14 @@ def test_a_compiler_that_does_not_work_is_our_fault(tmp_path: Path) -> None:
     fake.chmod(0o755)
     with pytest.raises(BuildFault, match=r"did not build with g\+\+ 99"):
         workspace(Compiler(str(fake), "g++", "99.0.0"), GRADED)
+
+
+def test_a_file_finds_the_same_folders_in_every_build() -> None:
+    """Else it could ask for one, and show another program to who reads its calls."""
+    framework = made()
+    ran, read = (
+        [word for word in command if word.startswith(("-I", "/")) and not word.endswith(".h")]
+        for command in (framework.compile_command[1:], framework.listing[1:])
+    )
+    assert str(framework.folder / "intrinsics") in ran
+    assert ran == read
