@@ -76,6 +76,9 @@ def done(ticket: int, letter: bytes, own: bytes) -> bytes:
             )
     except GraderError as fault:
         news = Gone(ticket, str(fault))
+    except OSError as fault:
+        # Another worker may have room on its disk.
+        news = Gone(ticket, f"no clerk could be hired: {fault.strerror}")
     return packed_answer(_signed(news, worker.address))
 
 

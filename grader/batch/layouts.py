@@ -128,16 +128,13 @@ def _arranged(source: Source, items: Sequence[Item], stem: str) -> tuple[str, li
     for layout, read in (("Moodle", _moodle), ("Canvas", _canvas)):
         if places := read(items):
             return layout, places
-    prefix = _prefix(stem)
-    if prefix and all(one.name.startswith(prefix) for one in items if one.is_folder):
+    prefix, own = _prefix(stem), [one for one in items if _is_own(one)]
+    marked = [one for one in own if prefix and one.is_folder and one.name.startswith(prefix)]
+    if marked and marked == own:
         return "GitHub Classroom", list(_github(items, prefix))
-    own = [one for one in items if _is_own(one)]
     for layout, read in (("Moodle", _moodle), ("Canvas", _canvas)):
         _require_few(layout, own, [one for one in own if read([one])])
-    if prefix:
-        folders = [one for one in own if one.is_folder]
-        marked = [one for one in folders if one.name.startswith(prefix)]
-        _require_few("GitHub Classroom", folders, marked)
+    _require_few("GitHub Classroom", own, marked)
     return "plain", list(_by_hand(items))
 
 

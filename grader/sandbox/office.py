@@ -172,8 +172,11 @@ class Office:
                 yield self._lost(clerk, f"it did not end within {self._seconds:.0f} s")
 
     def _hired(self) -> _Clerk:
-        ours, theirs = socket.socketpair()
-        words = tempfile.TemporaryFile(dir=self._folder)  # noqa: SIM115 - as long as the clerk
+        try:
+            ours, theirs = socket.socketpair()
+            words = tempfile.TemporaryFile(dir=self._folder)  # noqa: SIM115 - as long as the clerk
+        except OSError as fault:
+            raise MissingTool(f"no clerk can be started: {fault.strerror}") from fault
         with theirs:
             child = _started(self._entry, theirs.fileno(), words, self._folder)
         clerk = _Clerk(child, ours, words)

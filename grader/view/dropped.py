@@ -50,7 +50,7 @@ def kept(name: str, size: int, body: BufferedIOBase) -> Load:
             folder = held.enter_context(scratch_folder())
             # It is for nobody else of this machine.
             folder.chmod(0o700)
-            file = folder / _safe(name)
+            file = folder / safe_name(name)
             _copy(body, size, file)
         except OSError as fault:
             raise Unanswered(f"{name} cannot be kept here: {fault.strerror}") from fault
@@ -76,7 +76,7 @@ def _copy(body: BufferedIOBase, size: int, file: Path) -> None:
             size -= written.write(part)
 
 
-def _safe(name: str) -> str:
+def safe_name(name: str) -> str:
     """Make a name of a file, with its ending, of whatever a page says."""
     last = PurePosixPath(name.replace("\\", "/")).name
     return re.sub(r"[^\w.-]", "_", last)[-LONGEST_NAME:].strip(".") or "file"

@@ -12,6 +12,7 @@ from grader.language import Words
 from grader.view.bar import Bar
 from grader.view.camera import Orbit
 from grader.view.desk import Desk
+from grader.view.dropped import safe_name
 from grader.view.needed import NO_DISPLAY, has_display, lacking
 from grader.view.panel import WIDTH, Panel, saved, scaled
 from grader.view.panes import Panes
@@ -124,7 +125,9 @@ class Window:
         preview.release()
         self._context.screen.use()
         # Nobody saves two in one microsecond.
-        path = Path(f"bvhgrade-{desk.subject.name}-{datetime.now():%H%M%S-%f}.png")
+        # The name may be a word of a file that anybody wrote.
+        name = safe_name(desk.subject.name)
+        path = Path(f"bvhgrade-{name}-{datetime.now():%H%M%S-%f}.png")
         self.panel.remark = saved(pixels, path, self.words)
 
     def _advance(self, panes: Panes) -> None:

@@ -49,9 +49,10 @@ def begun(log: Path) -> list[str]:
 
 
 def taken_up(log: Path) -> list[tuple[int, str]]:
-    """Which process began to grade which text, in this order."""
+    """Which process began to grade which text, in this order; of a long text its first line."""
     lines = log.read_text().splitlines() if log.exists() else []
-    return [(int(clerk), text) for clerk, _, text in (line.partition(" ") for line in lines)]
+    parts = [line.partition(" ") for line in lines]
+    return [(int(clerk), text) for clerk, _, text in parts if clerk.isdecimal()]
 
 
 def graded(order: Order, tell: Callable[[str], None]) -> Result | Failed:

@@ -39,7 +39,7 @@ def test_points_withheld_anew_keep_all_as_it_is(
     """Who has points keeps them, and the next try grades only what was withheld."""
     path = folder_of(tmp_path, "class", {"ada.cpp": "withheld once", "bob.cpp": "wrong"})
     out = tmp_path / "out"
-    log.write_text("withheld once\n")
+    log.write_text("1 withheld once\n")
     grade(path, job(out))
     log.unlink()
     before = points(out)

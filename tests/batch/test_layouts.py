@@ -101,6 +101,18 @@ def test_github_classroom(made: Made, tmp_path: Path) -> None:
     assert found == {"ada": ("ada", "", CODE), "ben-b": ("ben-b", "", "b")}
 
 
+@pytest.mark.parametrize("beside", [{}, {"bvh-cy/exercise03.cpp": "c"}])
+def test_files_in_a_folder_that_is_called_like_a_clone(
+    made: Made, tmp_path: Path, beside: Files
+) -> None:
+    """Without folders it is none; and one of such a name is a student's like the others."""
+    files = {"ada.cpp": CODE, "ben.cpp": "b", **beside}
+    layout, found = found_in(made(tmp_path, "bvh-submissions", files))
+    assert layout == "plain"
+    names = {"ada", "ben"} | ({"bvh-cy"} if beside else set())
+    assert set(found) == names
+
+
 def test_by_hand(made: Made, tmp_path: Path) -> None:
     """Files, folders and archives; what is nobody's is named, what is hidden is not."""
     path = made(tmp_path, "class", PLAIN)
