@@ -73,6 +73,7 @@ HOSTS: Mapping[str, Words] = {
         ),
         grade=".+ \\(\\d+\\)",
         own=("canvas", 1),
+        never=".*(current|final|override) (score|points|grade)|.*\\(read only\\)",
     ),
     "csv": Words(
         ids=(
@@ -176,9 +177,15 @@ def grade_column(header: Sequence[str], words: Words, asked: str) -> int:
     Raises:
         UsageError: None or several may be it, or the one that was asked for is not there.
     """
-    if asked:
-        return named(header, asked)
     own = called(header, words.never)
+    if asked:
+        number = named(header, asked)
+        if number in own and words.own[0]:
+            raise UsageError(
+                f"{header[number]!r} is a column of the host's own, which it does not read; "
+                "name that of the assignment with --grade-column"
+            )
+        return number
     found = [number for number in called(header, words.grade) if number not in own]
     if len(found) == 1:
         return found[0]

@@ -133,10 +133,12 @@ def ids_by_batch(name: str, id: str, email: str, layout: str) -> Ids:
     """Say who it is, as `bvhgrade batch` knows it from a download."""
     # Moodle's and Canvas's own numbers are no accounts: somebody else's ID number may be equal.
     accounts = {"Moodle": (), "Canvas": (), "Gradescope": (id, email)}.get(layout, (name,))
+    # What Canvas calls somebody whose name it hides may be the number of somebody else.
+    is_named = layout == "Canvas" and name != f"anon_{id}"
     return Ids(
         accounts=tuple(filter(None, accounts)),
         participant=id if layout == "Moodle" else "",
-        canvas=id if layout == "Canvas" else "",
+        canvas=id if is_named else "",
         full_name=name,
     )
 
@@ -148,7 +150,7 @@ def ids_of(name: str) -> Ids:
     """
     if mark := moodle_mark(name):
         return Ids(participant=mark.participant, full_name=mark.full_name)
-    if found := _CANVAS.match(name):
+    if (found := _CANVAS.match(name)) and not name.lower().startswith("anon_"):
         return Ids(canvas=found["canvas"])
     return Ids(accounts=(name,), canvas=name if name.isdecimal() else "", full_name=name)
 

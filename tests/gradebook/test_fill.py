@@ -221,6 +221,14 @@ def test_canvas_s_points_possible_are_compared() -> None:
         fill(text, "canvas", a_class(ada="right"), Asked(grade="Exercise 3 BVH"))
 
 
+@pytest.mark.parametrize("name", ["Current Score", "Final Grade", "Override Points"])
+def test_a_column_of_canvas_s_own_is_refused_even_if_it_is_asked_for(name: str) -> None:
+    """Canvas does not read it."""
+    text = sheets.CANVAS.replace("Current Score", name)
+    with pytest.raises(UsageError, match="of the host's own"):
+        fill(text, "canvas", a_class(ada="right"), Asked(grade=name))
+
+
 @pytest.mark.parametrize("cell", ["(read only)", "50 (Read Only)"])
 def test_a_column_that_canvas_passes_over_is_refused(cell: str) -> None:
     """It would say nothing, and no student had any points."""

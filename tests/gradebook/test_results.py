@@ -7,7 +7,7 @@ import pytest
 
 from grader.errors import UsageError
 from grader.gradebook.paths import result_paths
-from grader.gradebook.results import Ids, ids_of, results_in
+from grader.gradebook.results import Ids, ids_by_batch, ids_of, results_in
 from tests.gradebook.folders import CLASS, write_batch, write_class
 from tests.report import real
 
@@ -151,6 +151,10 @@ def test_no_link_is_followed(tmp_path: Path) -> None:
         ("lovelaceada_9001_55_exercise03", Ids(canvas="9001")),
         ("lovelaceada_9001_55_a_1_assignsubmission_file_x", Ids(canvas="9001")),
         ("lovelaceada_LATE_9001_55_x_9002_56_y", Ids(canvas="9001")),
+        (
+            "anon_9001_55_exercise03",
+            Ids(accounts=("anon_9001_55_exercise03",), full_name="anon_9001_55_exercise03"),
+        ),
         ("ada@uni.example", Ids(accounts=("ada@uni.example",), full_name="ada@uni.example")),
         ("9001", Ids(accounts=("9001",), canvas="9001", full_name="9001")),
     ],
@@ -222,3 +226,9 @@ def test_a_batch_says_whose_a_folder_is(tmp_path: Path, layout: str, ids: Ids) -
     (tmp_path / "batch.sqlite").unlink()
     (one,) = results_in(tmp_path)
     assert one.ids.accounts == ("ada-l-77",), "a file of a student's says nothing"
+
+
+def test_what_canvas_calls_somebody_without_a_name_is_no_number() -> None:
+    """It may consist of digits, and be another student's number."""
+    assert not ids_by_batch("anon_9001", "9001", "", "Canvas").canvas
+    assert ids_by_batch("lovelaceada", "9001", "", "Canvas").canvas == "9001"
