@@ -182,9 +182,9 @@ class Desk:
         if self._model is None:
             self._comparing = self._comparing or self._aside.submit(our_own, self._nursery)
         elif self.rival is None or not compared:
-            self.rival = self.rival or Stage(self.subject, self._model)
+            self.rival = self.rival or self._staged("compare", self.subject, self._model)
             # As long as nobody compared it was shown no other view.
-            if self.orbit is not None:
+            if self.rival is not None and self.orbit is not None:
                 self.rival.show(self.orbit, *self.size)
 
     def _take_model(self) -> bool:
@@ -230,7 +230,7 @@ class Desk:
         self._clear()
         if self._builds.engine is not None:
             subject = replace(stage.subject, tree=came)
-            self.stage = Stage(subject, self._builds.engine, before=stage.trouble)
+            self.stage = self._staged("run", subject, self._builds.engine, stage.trouble)
             self.compare(self.mode)
             self._show()
         return True
@@ -271,9 +271,19 @@ class Desk:
         self._faults.pop("run", None)
         if self.subject is None or self._builds.engine is None:
             return
-        self.stage = Stage(self.subject, self._builds.engine)
+        self.stage = self._staged("run", self.subject, self._builds.engine)
         self.compare(self.mode)
         self._show()
+
+    def _staged(
+        self, place: str, subject: Subject, engine: Engine, before: str = ""
+    ) -> Stage | None:
+        """Start a process; None if that fails, which is then told and no end of the window."""
+        try:
+            return Stage(subject, engine, before)
+        except GraderError as fault:
+            self._faults[place] = fault
+            return None
 
     def _clear(self) -> None:
         for stage in (self.stage, self.rival):

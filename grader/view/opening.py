@@ -105,8 +105,7 @@ def wanted(wish: Wish) -> Load:
     require_check(wish.options.rubric, wish.check, "--check")
     for folder in (wish.path, wish.path.parent / OUTPUT, Path(OUTPUT)):
         file = folder / counterexample_file(wish.check)
-        if file.is_file():
-            found = _found(file, wish.words)
+        if file.is_file() and (found := _found(file, wish.words)).check == wish.check:
             return lambda: found
     return lambda: _searched(wish, wish.check or "")
 

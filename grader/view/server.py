@@ -242,6 +242,8 @@ class _Handler(BaseHTTPRequestHandler):
         self._send(json.dumps(value, allow_nan=False).encode(), "application/json", status)
 
     def _refuse(self, status: int) -> None:
+        # What was sent along was not read, and is not to be taken for the next request.
+        self.close_connection = True
         self._send(b"", "text/plain", status)
 
     def _send(

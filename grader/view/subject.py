@@ -142,9 +142,8 @@ def of_file(path: Path) -> Subject:
     from grader.oracle.imported import FORMATS, read_model
 
     if path.suffix.lower() not in {f".{each}" for each in FORMATS}:
-        raise UsageError(
-            f"{path}: a mesh (.obj, .ply) or a counterexample (.json) was expected"
-        )
+        meshes = ", ".join(f".{each}" for each in FORMATS)
+        raise UsageError(f"{path}: a mesh ({meshes}) or a counterexample (.json) was expected")
     mesh, remark = read_model(path)
     origin = "; ".join(filter(None, (SCALED, remark)))
     return Subject(path.stem, path.stem, mesh, around(mesh), origin=origin)

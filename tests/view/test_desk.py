@@ -205,3 +205,19 @@ def test_closing_waits_for_nobody(tmp_path: Path, making: Callable[[Made], None]
         closing = time.monotonic()
     assert time.monotonic() - closing < LONG / 2
     assert not is_stopped()
+
+
+def test_a_process_that_cannot_be_started_is_told(
+    tmp_path: Path, making: Callable[[Made], None], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The window lives, and the next try may have what this one had not."""
+
+    def full(*_: object) -> None:
+        raise WorkerFault("no room for the mesh")
+
+    monkeypatch.setattr(desk_module, "Stage", full)
+    making(lambda _: Product(cast("Engine", object()), ""))
+    with Desk(tmp_path / "a.cpp", OPTIONS, confetti) as desk:
+        done(desk)
+        assert desk.stage is None
+        assert str(desk.fault) == "no room for the mesh"

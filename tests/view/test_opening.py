@@ -70,14 +70,30 @@ def test_a_check_that_does_not_exist_is_told_at_once(tmp_path: Path) -> None:
         wanted(of_check(tmp_path, "hits.closest-win"))
 
 
+def written(folder: Path, name: str, check: str) -> Path:
+    """Write a counterexample of a check into a folder, under the name of any."""
+    there = folder / "counterexamples"
+    there.mkdir(parents=True)
+    file = there / f"{name}.json"
+    trial = ConstructTrial("x", soup(5))
+    file.write_text(to_text(Counterexample(check, trial, 5, 0, "x", "", "", "")))
+    return file
+
+
+def test_a_counterexample_of_another_check_is_none_of_it(tmp_path: Path) -> None:
+    """Whoever handed the folder in may have put it there; the next place has the real one."""
+    check = "hits.closest-wins"
+    written(tmp_path / "ada", check, "bvh.boxes-are-tight")
+    real = written(tmp_path / "bvhgrade-out", check, check)
+    subject = wanted(replace(of_check(tmp_path, check), path=tmp_path / "ada"))()
+    assert subject.check == check
+    assert str(real) in subject.origin
+
+
 def test_a_counterexample_that_lies_there_is_named(tmp_path: Path) -> None:
     """With its date: it may be somebody else's, and old."""
     check = "hits.closest-wins"
-    trial = ConstructTrial("x", soup(5))
-    folder = tmp_path / "bvhgrade-out" / "counterexamples"
-    folder.mkdir(parents=True)
-    file = folder / f"{check}.json"
-    file.write_text(to_text(Counterexample(check, trial, 5, 0, "x", "", "", "")))
+    file = written(tmp_path / "bvhgrade-out", check, check)
     noon = datetime(2026, 2, 3, 12, 0).timestamp()
     os.utime(file, (noon, noon))
     subject = wanted(of_check(tmp_path, check))()

@@ -181,7 +181,11 @@ def test_a_file_can_be_dropped_or_chosen(page: Page, tmp_path: Path) -> None:
     red, _, blue = both[:, : (both.shape[1] - 8) // 2].transpose(2, 0, 1)
     assert ((red > 80) & (blue < red / 5)).mean() > 0.05
     for name, size, told in (
-        ("notes.txt", 1, "notes.txt: a mesh (.obj, .ply) or a counterexample"),
+        (
+            "notes.txt",
+            1,
+            "notes.txt: a mesh (.obj, .ply, .stl, .gltf, .glb) or a counterexample",
+        ),
         ("big.json", 1_000_001, "big.json has more than 1,000,000 bytes."),
     ):
         chosen = {"name": name, "mimeType": "text/plain", "buffer": b" " * size}
