@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from grader.errors import UsageError
 from grader.gradebook.columns import NO, Asked, Columns, columns_of, listed
 from grader.gradebook.feedback import feedback_cell
-from grader.gradebook.matching import matched
+from grader.gradebook.matching import Matches, matched
 from grader.gradebook.results import Marked
 from grader.gradebook.table import Line, Table, read_table, written
 from grader.language import Words
@@ -56,14 +56,13 @@ def filled(
     require_writable(table, host, columns)
     rows = students(table, host, columns)
     found = matched(rows, columns, given)
-    if not found.pairs:
-        many = sum(not marked.is_nobody_s for marked in given)
-        raise UsageError("\n".join([f"no row has any of the {many} students", *found.problems]))
+    require_some(found, given)
     comma = writes_commas(table, columns)
     problems = list(found.problems)
+    possible = [line.value(columns.grade) for line in lines if _POSSIBLE in line.value(0)]
     for place, marked in found.pairs:
         if not marked.why:
-            same_maximum(lines, place, columns, marked)
+            same_maximum([*maximum_in(lines[place], columns), *possible], marked)
         if reason := untouched(lines[place], host, columns, marked):
             problems.append(f"{marked.student}: row {place + 1} is left as it was: {reason}")
             continue
@@ -82,6 +81,17 @@ def filled(
         tuple(empty),
         (*problems, *unknown(table, host, columns)),
     )
+
+
+def require_some(found: Matches, given: Sequence[Marked]) -> None:
+    """Accept a file in which somebody is found.
+
+    Raises:
+        UsageError: Nobody is.
+    """
+    if not found.pairs:
+        many = sum(not marked.is_nobody_s for marked in given)
+        raise UsageError("\n".join([f"no row has any of the {many} students", *found.problems]))
 
 
 def unknown(table: Table, host: str, columns: Columns) -> Iterator[str]:
@@ -154,14 +164,17 @@ def signs_in(table: Table, columns: Iterable[int]) -> set[str]:
     return {found[1] for cell in cells if (found := _DECIMAL.fullmatch(cell))}
 
 
-def same_maximum(lines: Sequence[Line], place: int, columns: Columns, marked: Marked) -> None:
+def maximum_in(line: Line, columns: Columns) -> list[str]:
+    """Read the maximum in a student's row, if the file has one there."""
+    return [] if columns.maximum is None else [line.value(columns.maximum)]
+
+
+def same_maximum(said: Iterable[str], marked: Marked) -> None:
     """Compare the maximum of the assignment with that of the result.
 
     Raises:
         UsageError: They differ, so the points would mean something else there.
     """
-    said = [lines[place].value(columns.maximum)] if columns.maximum is not None else []
-    said += [line.value(columns.grade) for line in lines if _POSSIBLE in line.value(0)]
     for text in said:
         there = number_in(text)
         if there is not None and there != marked.result["max_score"]:
