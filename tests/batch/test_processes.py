@@ -101,6 +101,13 @@ def test_an_interrupted_batch_keeps_what_is_done(
     assert finish(path, log)[0] == 0
 
 
+def kill_and_see(processes: set[int]) -> None:
+    """Kill some processes, and wait until who started them has seen that they ended."""
+    for process in processes:
+        os.kill(process, signal.SIGKILL)
+    until(lambda: not any(Path(f"/proc/{process}").exists() for process in processes))
+
+
 def test_a_killed_clerk_costs_one_try(tmp_path: Path, log: Path) -> None:
     """As the kernel does it when memory runs out; twice, and the submission is withheld."""
     with waiting(tmp_path, log) as (_, process):
@@ -109,9 +116,7 @@ def test_a_killed_clerk_costs_one_try(tmp_path: Path, log: Path) -> None:
             busy = [clerk for clerk, text in taken_up(log) if text == "wait"][-1]
             # The other one is free: its death costs nobody a try. First, and until it is gone:
             # it would get the order of the busy one, and then it dies over that.
-            for free in set(clerks_of(log)) - {busy}:
-                os.kill(free, signal.SIGKILL)
-                until(lambda free=free: not Path(f"/proc/{free}").exists())  # type: ignore[misc]
+            kill_and_see(set(clerks_of(log)) - {busy})
             os.kill(busy, signal.SIGKILL)
         _, said = process.communicate(timeout=PATIENCE)
     assert process.returncode == 3
