@@ -78,7 +78,7 @@ def done(ticket: int, letter: bytes, own: bytes) -> bytes:
         news = Gone(ticket, str(fault))
     except OSError as fault:
         # Another worker may have room on its disk.
-        news = Gone(ticket, f"no clerk could be hired: {fault.strerror}")
+        news = Gone(ticket, f"no clerk could be hired: {fault.strerror or fault}")
     return packed_answer(_signed(news, worker.address))
 
 

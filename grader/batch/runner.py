@@ -169,7 +169,7 @@ class Batch:
         try:
             self.store.keep(sha256, self.job.settings, news.result)
             if not self.job.preview:
-                self.store.forgive(self.job.settings, sha256)
+                self.store.forgive(self.job.settings)
         except OutputFault as fault:
             self._trouble(f"{student.told}: the result is lost, grade again: {fault}")
             return

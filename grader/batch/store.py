@@ -128,14 +128,14 @@ class Store:
         """Everybody who handed in these bytes."""
         yield from self._students("sha256 = ?", sha256)
 
-    def forgive(self, settings: Settings, sha256: str | None = None) -> None:
-        """Drop what went wrong before with files that are graded now: with one, or with all."""
-        one, which = ("", ()) if sha256 is None else ("sha256 = ? AND ", (sha256,))
+    def forgive(self, settings: Settings) -> None:
+        """Drop what went wrong before with files that are graded now."""
         with self.changes():
+            # Asked for each such student, of whom there are few; not for all results there are.
             self._base.execute(
-                f"UPDATE student SET fault = '', written = '' WHERE {one}fault != '' AND "  # noqa: S608 - words of ours
-                "sha256 IN (SELECT sha256 FROM result WHERE settings = ?)",
-                (*which, settings.digest),
+                "UPDATE student SET fault = '', written = '' WHERE fault != '' AND EXISTS "
+                "(SELECT 1 FROM result WHERE sha256 = student.sha256 AND settings = ?)",
+                (settings.digest,),
             )
 
     def keep(self, sha256: str, settings: Settings, result: Result) -> None:

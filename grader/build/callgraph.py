@@ -40,23 +40,24 @@ MOST_NAMED = 1 << 20
 with `std::regex` and threads has 330,000. All of these are looked into for 10 seconds."""
 
 _KINDS = (b"function", b"object")
-_SYMBOL = re.compile(rb'^\s*\.type\s+"?([\w.$\x80-\xff]{1,65536})"?,\s*[@%](function|object)')
-_ALIAS = re.compile(
-    rb'^\s*\.(?:set|equ)\s+"?([\w.$\x80-\xff]{1,65536})"?,\s*"?([\w.$\x80-\xff]{1,65536})"?\s*$'
-)
-_LABEL = re.compile(rb'^"?([\w.$\x80-\xff]{1,65536})"?:')
-_END = re.compile(rb'^\s*\.size\s+"?([\w.$\x80-\xff]{1,65536})"?,')
-_NAME = re.compile(rb"[A-Za-z_\x80-\xff][\w.$\x80-\xff]{1,65536}")
+_WORD = rb"[\w.$\x80-\xff]{1,65536}"
+_SYMBOL = re.compile(rb'^\s*\.type\s+"?(%b)"?,\s*[@%%](function|object)' % _WORD)
+_ALIAS = re.compile(rb'^\s*\.(?:set|equ)\s+"?(%b)"?,\s*"?(%b)"?\s*$' % (_WORD, _WORD))
+_LABEL = re.compile(rb'^"?(%b)"?:' % _WORD)
+_END = re.compile(rb'^\s*\.size\s+"?(%b)"?,' % _WORD)
+_NAME = re.compile(rb"[A-Za-z_\x80-\xff]%b" % _WORD)
 _CALL = re.compile(rb"^(call|jmp|bl?$|b[lr]+$)")
 _ELSEWHERE = re.compile(rb"(?:^|[^\w.$])([a-z]\w{0,80}|_Z(?:n[wa]|d[la])\w{1,20})@GOTPCREL")
 _ELSEWHERE_ARM = re.compile(rb":got:([a-z]\w{0,80}|_Z(?:n[wa]|d[la])\w{1,20})\b")
 _UNKNOWN = re.compile(
-    rb'^\s*\.type\b(?!\s+"?[\w.$\x80-\xff]{1,65536}"?,\s*[@%]\w+(?:\s|$))'
-    rb"|(?:^|;)\s*\.(?:macro|altmacro|rept|irpc?|include|incbin)\b"
+    rb'^\s*\.type\b(?!\s+"?%b"?,\s*[@%%]\w+(?:\s|$))' % _WORD
+    + rb"|(?:^|;)\s*\.(?:macro|altmacro|rept|irpc?|include|incbin)\b"
 )
 """What no compiler writes: a name that cannot be read, and text that makes text."""
 
 _STRING = re.compile(rb"^\s*\.(?:ascii|asciz|string)\b")
+"""Words of a program, in which anything may stand."""
+
 _BYTES = re.compile(
     rb"^\.(?:(?:[248x]?byte|h?word|short|value|long|int|quad|octa|insn|inst|reloc)\b|dc\.)"
 )
@@ -75,7 +76,7 @@ _CALLING_BACK = {
 
 _OF_THE_LIBRARY = (b"_ZNSt", b"_ZSt", b"_ZNKSt")
 _DATA = {b"stdin", b"stdout", b"stderr", b"environ"}
-_TABLE = re.compile(rb"^\.(?:quad|xword|8byte)\s+([\w.$\x80-\xff]{1,65536})")
+_TABLE = re.compile(rb"^\.(?:quad|xword|8byte)\s+(%b)" % _WORD)
 _TABLE_BYTES = 8
 _VIRTUAL, _TYPE = b"_ZTV", b"_ZTI"
 """How tables of virtual functions begin, and what stands in them before the functions."""

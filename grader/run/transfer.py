@@ -128,7 +128,12 @@ def ray_table(rays: Rays) -> Floats:
 
 
 def hits_of(table: Floats) -> Hits:
-    """Split (R, 7) float32 rows into point, t and normal."""
+    """Split (R, 7) float32 rows into point, t and normal.
+
+    Signalling NaNs become quiet ones here: later each calculation with one would be reported.
+    """
+    with np.errstate(invalid="ignore"):
+        table = table * np.float32(1)
     point, t, normal = table[:, 0:3], table[:, 3], table[:, 4:7]
     return Hits(*(np.ascontiguousarray(part) for part in (point, t, normal)))
 

@@ -17,7 +17,7 @@ import sys
 import tempfile
 import time
 from collections.abc import Iterator
-from contextlib import suppress
+from contextlib import ExitStack, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from types import TracebackType
@@ -172,13 +172,16 @@ class Office:
                 yield self._lost(clerk, f"it did not end within {self._seconds:.0f} s")
 
     def _hired(self) -> _Clerk:
-        try:
-            ours, theirs = socket.socketpair()
-            words = tempfile.TemporaryFile(dir=self._folder)  # noqa: SIM115 - as long as the clerk
-        except OSError as fault:
-            raise MissingTool(f"no clerk can be started: {fault.strerror}") from fault
-        with theirs:
+        with ExitStack() as undone:
+            try:
+                words = undone.enter_context(tempfile.TemporaryFile(dir=self._folder))
+                ours, theirs = map(undone.enter_context, socket.socketpair())
+            except OSError as fault:
+                message = f"no clerk can be started: {fault.strerror or fault}"
+                raise MissingTool(message) from fault
             child = _started(self._entry, theirs.fileno(), words, self._folder)
+            theirs.close()
+            undone.pop_all()
         clerk = _Clerk(child, ours, words)
         self._clerks.append(clerk)
         self._selector.register(ours, selectors.EVENT_READ, clerk)

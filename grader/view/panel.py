@@ -1,5 +1,6 @@
 """The column beside the panes: the picture's kind, one node, one ray, and what went wrong."""
 
+from datetime import datetime
 from pathlib import Path
 from types import ModuleType
 
@@ -11,6 +12,7 @@ from grader.plain import one_line
 from grader.report.colours import HEAT
 from grader.verify.check import vector
 from grader.view.desk import Desk
+from grader.view.dropped import safe_name
 from grader.view.inspector import NodeFacts, some_faces
 from grader.view.picture import Shown, titles
 from grader.view.stage import State
@@ -205,10 +207,15 @@ def colour_of(imgui: ModuleType, rgb: tuple[int, int, int] | np.ndarray) -> int:
     return int(imgui.get_color_u32((red, green, blue, 1.0)))
 
 
-def saved(pixels: np.ndarray, path: Path, words: Words) -> str:
-    """Save a picture, (H, W, 3) uint8 sRGB, and say where it is or why it is not."""
+def saved(pixels: np.ndarray, subject: str, words: Words) -> str:
+    """Save a picture, (H, W, 3) uint8 sRGB, and say where it is or why it is not.
+
+    It lies where the program was started: a subject may be called by a file that anybody wrote.
+    """
     from grader.view.screenshot import save
 
+    # Nobody saves two in one microsecond.
+    path = Path(f"bvhgrade-{safe_name(subject)}-{datetime.now():%H%M%S-%f}.png")
     try:
         save(pixels, path)
     except OutputFault as fault:

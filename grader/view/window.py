@@ -2,7 +2,6 @@
 
 import sys
 from collections.abc import Callable, Sequence
-from datetime import datetime
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -12,7 +11,6 @@ from grader.language import Words
 from grader.view.bar import Bar
 from grader.view.camera import Orbit
 from grader.view.desk import Desk
-from grader.view.dropped import safe_name
 from grader.view.needed import NO_DISPLAY, has_display, lacking
 from grader.view.panel import WIDTH, Panel, saved, scaled
 from grader.view.panes import Panes
@@ -124,11 +122,7 @@ class Window:
         pixels = panes(desk, self.study, preview)
         preview.release()
         self._context.screen.use()
-        # Nobody saves two in one microsecond.
-        # The name may be a word of a file that anybody wrote.
-        name = safe_name(desk.subject.name)
-        path = Path(f"bvhgrade-{name}-{datetime.now():%H%M%S-%f}.png")
-        self.panel.remark = saved(pixels, path, self.words)
+        self.panel.remark = saved(pixels, desk.subject.name, self.words)
 
     def _advance(self, panes: Panes) -> None:
         panes.advance()

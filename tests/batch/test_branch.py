@@ -1,5 +1,6 @@
 """A worker's clerk does one order after the other, and does not outlive what it is for."""
 
+import errno
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -9,7 +10,7 @@ from grader.batch import branch
 from grader.batch.parcel import Terms, packed_order, read_answer
 from grader.batch.work import Order
 from grader.kept import Result
-from grader.sandbox.office import Done
+from grader.sandbox.office import Done, Gone
 from tests.batch.stand_in import ENTRY, SETTINGS, WISH
 from tests.batch.test_parcel import SUBMISSION
 from tests.batch.test_processes import clerks_of, until
@@ -47,3 +48,20 @@ def test_a_clerk_is_kept_for_the_next_order_and_then_dismissed(
     monkeypatch.setattr(branch, "IDLE_SECONDS", 0.1)
     branch.done(5, packed_order(ORDER, terms), b"")
     until(lambda: not clerks_of(log))
+
+
+def test_a_worker_without_room_costs_a_try_and_not_the_class(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Another one may have room; what Dask gets is an answer, and no task that failed."""
+
+    def full() -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr("distributed.get_worker", Worker)
+    monkeypatch.setattr("grader.sandbox.office.scratch_folder", full)
+    answer = branch.done(3, packed_order(ORDER, Terms(ENTRY, 301.0, "", "topic")), b"")
+    news = read_answer(answer, 3, ORDER)
+    assert isinstance(news, Gone)
+    assert "No space left on device" in news.why
+    assert Worker.address in news.why

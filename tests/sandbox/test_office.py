@@ -1,10 +1,12 @@
 """Clerks do orders, and the death of one is news of its own order only."""
 
+import errno
 import os
 import signal
 
 import pytest
 
+from grader.errors import MissingTool
 from grader.sandbox.office import Done, Gone, News, Office
 
 
@@ -20,6 +22,21 @@ def told(office: Office) -> News:
     while True:
         for news in office.news():
             return news
+
+
+def test_a_clerk_for_whom_there_is_no_room_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As whatever keeps a process from being started; the next try may have it."""
+
+    def full(**_: object) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    with Office(f"{__name__}:answer", 1, 60.0) as office:
+        with monkeypatch.context() as patch:
+            patch.setattr("tempfile.TemporaryFile", full)
+            with pytest.raises(MissingTool, match="No space left on device"):
+                office.give(1, "who")
+        office.give(2, "who")
+        assert isinstance(told(office), Done)
 
 
 def test_a_clerk_that_died_without_an_order_costs_none() -> None:

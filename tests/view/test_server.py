@@ -5,6 +5,7 @@ import http.client
 import socket
 import struct
 import threading
+from contextlib import suppress
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any, cast
@@ -170,6 +171,16 @@ def test_a_browser_that_goes_away_leaves_no_traceback(
             line.sendall(f"GET {path} HTTP/1.1\r\nHost: {HERE}:1\r\n\r\n".encode())
     assert house.ask("GET", house.at("state"))[0] == 200
     assert "Traceback" not in capfd.readouterr().err
+
+
+def test_what_comes_with_a_refused_question_is_no_question(house: Open) -> None:
+    """It was not read: its bytes could ask for something in the name of who is let in."""
+    inner = f"GET {house.at('state')} HTTP/1.1\r\nHost: {HERE}:{house.door.port}\r\n\r\n"
+    outer = f"POST /x/do HTTP/1.1\r\nHost: {HERE}:{house.door.port}\r\n"
+    with silent(house) as line:
+        line.sendall(f"{outer}Content-Length: {len(inner)}\r\n\r\n{inner}".encode())
+        with suppress(ConnectionResetError):
+            assert b"".join(iter(lambda: line.recv(4096), b"")).count(b"HTTP/1.1 ") == 1
 
 
 def silent(house: Open) -> socket.socket:
